@@ -1,0 +1,63 @@
+// The exceptions of the library. Every one says what is wrong, where, and what to do about it.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace sectile {
+
+/// "No such element" in the element numbers that exceptions carry.
+inline constexpr std::uint32_t no_element = std::numeric_limits<std::uint32_t>::max();
+
+/// Base of all exceptions thrown by the library.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The input does not bound a legal solid. Nothing was changed.
+class InvalidSolid : public Error {
+ public:
+  enum class Reason {
+    malformed,               ///< sizes and indices do not fit together
+    index_out_of_range,      ///< a corner refers to a position that does not exist
+    not_finite,              ///< a coordinate is NaN or infinite
+    open,                    ///< an edge has no face on its other side
+    inconsistent,            ///< faces around an edge are not consistently oriented
+    inside_out,              ///< the material would be infinite
+    self_intersecting        ///< faces cross each other
+  };
+  InvalidSolid(Reason reason, const std::string& message, std::uint32_t face = no_element,
+               std::uint32_t vertex = no_element)
+      : Error(message), reason_(reason), face_(face), vertex_(vertex) {}
+
+  Reason reason() const { return reason_; }
+  std::uint32_t face() const { return face_; }      ///< the input's face concerned, or no_element
+  std::uint32_t vertex() const { return vertex_; }  ///< the input's position concerned, or no_element
+
+ private:
+  Reason reason_;
+  std::uint32_t face_, vertex_;
+};
+
+/// A file cannot be read or written, or is not what its format says. The message names file and line.
+class FileError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// The work was cancelled from outside; operands are untouched and there is no result.
+class Cancelled : public Error {
+ public:
+  Cancelled() : Error("cancelled") {}
+};
+
+/// A state that cannot be: a defect of the library. The operands were saved for reproduction.
+class InternalError : public Error {
+ public:
+  using Error::Error;
+};
+
+}  // namespace sectile

@@ -1,0 +1,12 @@
+// Sectile: exact Boolean operations on polyhedral solids. This header brings all the others.
+#pragma once
+
+#include "sectile/boolean.h"
+#include "sectile/errors.h"
+#include "sectile/files.h"
+#include "sectile/mesh.h"
+#include "sectile/primitives.h"
+#include "sectile/solid.h"
+#include "sectile/trace.h"
+#include "sectile/transform.h"
+#include "sectile/validate.h"

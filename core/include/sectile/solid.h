@@ -1,0 +1,73 @@
+// The solid: a value that holds a regular polyhedral point set exactly.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sectile/mesh.h"
+
+namespace sectile {
+
+struct SolidData;  // topology, geometry and search tree; internal
+
+/// Where a face comes from: `solid` is the number given to a mesh when it was imported (see
+/// Solid::origin), `face` the face of that mesh. Kept through any cascade of operations.
+struct FaceSource {
+  std::uint32_t solid = 0;
+  std::uint32_t face = 0;
+  friend bool operator==(const FaceSource&, const FaceSource&) = default;
+  friend auto operator<=>(const FaceSource&, const FaceSource&) = default;
+};
+
+/// Numbers of the boundary representation; `genus` is summed over all shells.
+struct SolidCounts {
+  std::size_t vertices = 0, edges = 0, faces = 0, loops = 0, shells = 0;
+  std::int64_t genus = 0;
+};
+
+/// A regular, closed, bounded set of points with polygonal faces; may be empty.
+///
+/// A value: cheap to copy and to move, immutable from outside, safe to read from many threads.
+class Solid {
+ public:
+  Solid();  ///< the empty solid
+  ~Solid();
+  Solid(const Solid&);
+  Solid(Solid&&) noexcept;
+  Solid& operator=(const Solid&);
+  Solid& operator=(Solid&&) noexcept;
+
+  /// Takes a closed, consistently oriented polygon soup that bounds a regular set: shared or
+  /// duplicated vertices, non-manifold edges and vertices (resolved into wedges of material),
+  /// zero-area faces (removed), non-planar polygons (triangulated). Equal positions are one point.
+  /// Throws InvalidSolid.
+  static Solid from_mesh(const PolygonMesh& mesh);
+
+  /// Triangles. Coordinates that are no doubles are rounded to the nearest.
+  PolygonMesh to_mesh() const;
+
+  /// Triangles together with the source of each (in the order of the triangles).
+  PolygonMesh to_mesh(std::vector<FaceSource>& sources) const;
+
+  bool is_empty() const;
+  double volume() const;
+  double area() const;
+  SolidCounts counts() const;
+
+  /// The number that FaceSource::solid has in faces imported by from_mesh (0 for the empty solid and
+  /// for results).
+  std::uint32_t origin() const;
+
+  /// The same point set.
+  friend bool operator==(const Solid&, const Solid&);
+
+  explicit Solid(std::shared_ptr<const SolidData> data);                 // internal
+  const std::shared_ptr<const SolidData>& data() const { return data_; }  // internal
+
+ private:
+  std::shared_ptr<const SolidData> data_;
+};
+
+}  // namespace sectile

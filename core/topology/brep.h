@@ -1,0 +1,86 @@
+// The half-edge boundary representation, as structure of arrays with 32-bit ids.
+//
+// An edge is the pair of half-edges 2e and 2e + 1. A half-edge runs from its origin with the face on
+// its left, seen from outside. A face has one outer loop and any number of inner loops, chained by
+// next_loop; the outer loop comes first. See docs/half-edges.md for the invariants.
+#pragma once
+
+#include <vector>
+
+#include "numbers/id.h"
+#include "sectile/solid.h"
+
+namespace sectile {
+
+enum class FaceKind : std::uint8_t {
+  real,  ///< part of the boundary of the solid
+  null,  ///< a face without area between null edges and the two sides of a cut
+  rest   ///< stands for all that is not loaded beyond an open end of a patch
+};
+
+class Brep {
+ public:
+  // Per half-edge.
+  std::vector<VertexId> origin;
+  std::vector<HalfEdgeId> next, prev;
+  std::vector<LoopId> loop;
+  // Per edge: a plane through the edge that is not parallel to its faces, for edges between coplanar
+  // faces whose end points do not say it; otherwise invalid. Empty if there is none at all.
+  std::vector<PlaneId> edge_plane;
+  // Per loop.
+  std::vector<HalfEdgeId> loop_half_edge;
+  std::vector<FaceId> loop_face;
+  std::vector<LoopId> next_loop;
+  // Per face.
+  std::vector<LoopId> outer_loop;
+  std::vector<PlaneId> plane;
+  std::vector<FaceSource> source;
+  // Per vertex.
+  std::vector<HalfEdgeId> vertex_half_edge;  ///< one of the half-edges that leave it
+  std::vector<PointId> point;
+
+  std::size_t half_edge_count() const { return origin.size(); }
+  std::size_t edge_count() const { return origin.size() / 2; }
+  std::size_t loop_count() const { return loop_half_edge.size(); }
+  std::size_t face_count() const { return outer_loop.size(); }
+  std::size_t vertex_count() const { return point.size(); }
+
+  static HalfEdgeId twin(HalfEdgeId h) { return HalfEdgeId(h.value() ^ 1u); }
+  static EdgeId edge_of(HalfEdgeId h) { return EdgeId(h.value() >> 1); }
+  static HalfEdgeId half_edge(EdgeId e, unsigned side = 0) {
+    return HalfEdgeId(2 * e.value() + side);
+  }
+  VertexId from(HalfEdgeId h) const { return origin[h.value()]; }
+  VertexId to(HalfEdgeId h) const { return origin[h.value() ^ 1u]; }
+  HalfEdgeId next_of(HalfEdgeId h) const { return next[h.value()]; }
+  HalfEdgeId prev_of(HalfEdgeId h) const { return prev[h.value()]; }
+  LoopId loop_of(HalfEdgeId h) const { return loop[h.value()]; }
+  FaceId face_of(HalfEdgeId h) const { return loop_face[loop[h.value()].value()]; }
+  PlaneId plane_of(HalfEdgeId h) const { return plane[face_of(h).value()]; }
+  PointId point_of(VertexId v) const { return point[v.value()]; }
+  PlaneId extra_plane(EdgeId e) const {
+    return edge_plane.empty() ? PlaneId() : edge_plane[e.value()];
+  }
+  /// The half-edge that leaves the same vertex next in counter-clockwise order, seen from outside.
+  HalfEdgeId around(HalfEdgeId h) const { return twin(prev_of(h)); }
+};
+
+/// Calls visit(HalfEdgeId) for every half-edge of a loop, in order.
+template <class Visit>
+void for_each_in_loop(const Brep& brep, LoopId loop, Visit&& visit) {
+  const HalfEdgeId first = brep.loop_half_edge[loop.value()];
+  for (HalfEdgeId h = first;;) {
+    visit(h);
+    h = brep.next_of(h);
+    if (h == first) break;
+  }
+}
+
+/// Calls visit(HalfEdgeId) for every half-edge of a face, loop by loop, the outer loop first.
+template <class Visit>
+void for_each_in_face(const Brep& brep, FaceId face, Visit&& visit) {
+  for (LoopId l = brep.outer_loop[face.value()]; l.valid(); l = brep.next_loop[l.value()])
+    for_each_in_loop(brep, l, visit);
+}
+
+}  // namespace sectile
