@@ -79,8 +79,8 @@ class Geometry {
   }
   PlaneId add_plane(const PlaneCoefficients& plane) {
     coefficients.push_back(plane);
-    return add_plane(PlaneDefinition::with_coefficients(
-        static_cast<std::uint32_t>(coefficients.size() - 1)));
+    return add_plane(
+        PlaneDefinition::with_coefficients(static_cast<std::uint32_t>(coefficients.size() - 1)));
   }
 };
 

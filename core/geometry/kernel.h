@@ -1,8 +1,8 @@
 // The exact tests. Nothing else decides anything.
 //
-// Every test is a formula that is evaluated up to three times: in doubles with an error bound; then,
-// if the operands' coefficients are doubles without error, as an exact sum of products; then in
-// dyadic numbers of any length. The last always answers.
+// Every test is a formula that is evaluated up to three times: in doubles with an error bound;
+// then, if the operands' coefficients are doubles without error, as an exact sum of products; then
+// in dyadic numbers of any length. The last always answers.
 #pragma once
 
 #include <atomic>
@@ -69,7 +69,7 @@ class Kernel {
   bool same_direction(PlaneId a, PlaneId b) const;
   /// The same plane, with equal or opposite normals.
   bool coplanar(PlaneId a, PlaneId b) const;
-  /// Is the point on both sides' common place: p == q?
+  /// p == q?
   bool same_point(PointId p, PointId q) const;
   /// The sign of q - p on one axis.
   Sign compare(PointId p, PointId q, int axis) const;
@@ -78,8 +78,11 @@ class Kernel {
 
   const ExactPlane& exact(PlaneId s) const;
   const ExactPoint& exact(PointId p) const;
+  ExactPoint exact(const Construction& how) const;
 
  private:
+  Sign exact_side(PointId point, PlaneId plane) const;
+
   const Geometry& geometry_;
   std::vector<PlaneValue> values_;
   mutable std::vector<std::atomic<const ExactPlane*>> exact_planes_;

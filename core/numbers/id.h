@@ -28,13 +28,27 @@ class Id {
   std::uint32_t value_ = none;
 };
 
-struct PointTag { static constexpr char letter = 'p'; };
-struct PlaneTag { static constexpr char letter = 's'; };
-struct VertexTag { static constexpr char letter = 'v'; };
-struct HalfEdgeTag { static constexpr char letter = 'h'; };
-struct EdgeTag { static constexpr char letter = 'e'; };
-struct LoopTag { static constexpr char letter = 'l'; };
-struct FaceTag { static constexpr char letter = 'f'; };
+struct PointTag {
+  static constexpr char letter = 'p';
+};
+struct PlaneTag {
+  static constexpr char letter = 's';
+};
+struct VertexTag {
+  static constexpr char letter = 'v';
+};
+struct HalfEdgeTag {
+  static constexpr char letter = 'h';
+};
+struct EdgeTag {
+  static constexpr char letter = 'e';
+};
+struct LoopTag {
+  static constexpr char letter = 'l';
+};
+struct FaceTag {
+  static constexpr char letter = 'f';
+};
 
 using PointId = Id<PointTag>;
 using PlaneId = Id<PlaneTag>;

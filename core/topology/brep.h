@@ -1,8 +1,8 @@
 // The half-edge boundary representation, as structure of arrays with 32-bit ids.
 //
-// An edge is the pair of half-edges 2e and 2e + 1. A half-edge runs from its origin with the face on
-// its left, seen from outside. A face has one outer loop and any number of inner loops, chained by
-// next_loop; the outer loop comes first. See docs/half-edges.md for the invariants.
+// An edge is the pair of half-edges 2e and 2e + 1. A half-edge runs from its origin with the face
+// on its left, seen from outside. A face has one outer loop and any number of inner loops, chained
+// by next_loop; the outer loop comes first. See docs/half-edges.md for the invariants.
 #pragma once
 
 #include <vector>
@@ -24,10 +24,11 @@ class Brep {
   std::vector<VertexId> origin;
   std::vector<HalfEdgeId> next, prev;
   std::vector<LoopId> loop;
-  // Per edge: a plane through the edge that is not parallel to its faces, for edges between coplanar
-  // faces whose end points do not say it; otherwise invalid. Empty if there is none at all.
+  // Per edge: a plane through the edge that is not parallel to its faces, for edges between
+  // coplanar faces whose end points do not say it; otherwise invalid. Empty if there is none at
+  // all.
   std::vector<PlaneId> edge_plane;
-  // Per loop.
+  // Per loop. A killed loop stays in its face's chain without a half-edge.
   std::vector<HalfEdgeId> loop_half_edge;
   std::vector<FaceId> loop_face;
   std::vector<LoopId> next_loop;
@@ -35,6 +36,7 @@ class Brep {
   std::vector<LoopId> outer_loop;
   std::vector<PlaneId> plane;
   std::vector<FaceSource> source;
+  std::vector<FaceKind> kind;  ///< empty if all faces are real
   // Per vertex.
   std::vector<HalfEdgeId> vertex_half_edge;  ///< one of the half-edges that leave it
   std::vector<PointId> point;
@@ -58,6 +60,7 @@ class Brep {
   FaceId face_of(HalfEdgeId h) const { return loop_face[loop[h.value()].value()]; }
   PlaneId plane_of(HalfEdgeId h) const { return plane[face_of(h).value()]; }
   PointId point_of(VertexId v) const { return point[v.value()]; }
+  FaceKind kind_of(FaceId f) const { return kind.empty() ? FaceKind::real : kind[f.value()]; }
   PlaneId extra_plane(EdgeId e) const {
     return edge_plane.empty() ? PlaneId() : edge_plane[e.value()];
   }
@@ -69,6 +72,7 @@ class Brep {
 template <class Visit>
 void for_each_in_loop(const Brep& brep, LoopId loop, Visit&& visit) {
   const HalfEdgeId first = brep.loop_half_edge[loop.value()];
+  if (!first.valid()) return;
   for (HalfEdgeId h = first;;) {
     visit(h);
     h = brep.next_of(h);

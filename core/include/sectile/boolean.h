@@ -22,10 +22,10 @@ struct HalfSpace {
 
 /// How an operation is to be run.
 struct BooleanOptions {
-  bool validate = false;                        ///< check all invariants after every phase
-  Observer* observer = nullptr;                 ///< told about every phase; not owned
-  const std::atomic<bool>* cancel = nullptr;    ///< set from outside to stop with Cancelled
-  std::function<void(double)> progress;         ///< called now and then with 0 … 1
+  bool validate = false;                      ///< check all invariants after every phase
+  Observer* observer = nullptr;               ///< told about every phase; not owned
+  const std::atomic<bool>* cancel = nullptr;  ///< set from outside to stop with Cancelled
+  std::function<void(double)> progress;       ///< called now and then with 0 … 1
 };
 
 /// The regularised A ∪ B, A ∩ B or A \ B, exactly.

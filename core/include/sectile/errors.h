@@ -21,28 +21,31 @@ class Error : public std::runtime_error {
 class InvalidSolid : public Error {
  public:
   enum class Reason {
-    malformed,               ///< sizes and indices do not fit together
-    index_out_of_range,      ///< a corner refers to a position that does not exist
-    not_finite,              ///< a coordinate is NaN or infinite
-    open,                    ///< an edge has no face on its other side
-    inconsistent,            ///< faces around an edge are not consistently oriented
-    inside_out,              ///< the material would be infinite
-    self_intersecting        ///< faces cross each other
+    malformed,           ///< sizes and indices do not fit together
+    index_out_of_range,  ///< a corner refers to a position that does not exist
+    not_finite,          ///< a coordinate is NaN or infinite
+    open,                ///< an edge has no face on its other side
+    inconsistent,        ///< faces around an edge are not consistently oriented
+    inside_out,          ///< the material would be infinite
+    self_intersecting    ///< faces cross each other
   };
   InvalidSolid(Reason reason, const std::string& message, std::uint32_t face = no_element,
                std::uint32_t vertex = no_element)
       : Error(message), reason_(reason), face_(face), vertex_(vertex) {}
 
   Reason reason() const { return reason_; }
-  std::uint32_t face() const { return face_; }      ///< the input's face concerned, or no_element
-  std::uint32_t vertex() const { return vertex_; }  ///< the input's position concerned, or no_element
+  std::uint32_t face() const { return face_; }  ///< the input's face concerned, or no_element
+  std::uint32_t vertex() const {
+    return vertex_;
+  }  ///< the input's position concerned, or no_element
 
  private:
   Reason reason_;
   std::uint32_t face_, vertex_;
 };
 
-/// A file cannot be read or written, or is not what its format says. The message names file and line.
+/// A file cannot be read or written, or is not what its format says. The message names file and
+/// line.
 class FileError : public Error {
  public:
   using Error::Error;

@@ -6,7 +6,8 @@
 
 namespace sectile {
 
-/// A point in space. Doubles are taken as the exact numbers that they are; the unit is the caller's.
+/// A point in space. Doubles are taken as the exact numbers that they are; the unit is the
+/// caller's.
 struct Vec3 {
   double x = 0, y = 0, z = 0;
   friend bool operator==(const Vec3&, const Vec3&) = default;

@@ -56,14 +56,14 @@ class Solid {
   double area() const;
   SolidCounts counts() const;
 
-  /// The number that FaceSource::solid has in faces imported by from_mesh (0 for the empty solid and
-  /// for results).
+  /// The number that FaceSource::solid has in faces imported by from_mesh (0 for the empty solid
+  /// and for results).
   std::uint32_t origin() const;
 
   /// The same point set.
   friend bool operator==(const Solid&, const Solid&);
 
-  explicit Solid(std::shared_ptr<const SolidData> data);                 // internal
+  explicit Solid(std::shared_ptr<const SolidData> data);                  // internal
   const std::shared_ptr<const SolidData>& data() const { return data_; }  // internal
 
  private:

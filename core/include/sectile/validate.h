@@ -9,8 +9,8 @@
 namespace sectile {
 
 struct Violation {
-  std::string what;     ///< in words, with the ids of the entities concerned
-  Vec3 where;           ///< a place near it
+  std::string what;  ///< in words, with the ids of the entities concerned
+  Vec3 where;        ///< a place near it
 };
 
 /// Checks links, loops, planes, edges and orientation, and with `geometry` also that no two faces

@@ -1,0 +1,67 @@
+// Axis-parallel boxes in floats, rounded outwards: whatever overlaps exactly overlaps here.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sectile/mesh.h"
+
+namespace sectile {
+
+inline float round_down(double value) {
+  const auto nearest = static_cast<float>(value);
+  return static_cast<double>(nearest) > value
+             ? std::nextafterf(nearest, -std::numeric_limits<float>::infinity())
+             : nearest;
+}
+inline float round_up(double value) {
+  return -round_down(-value);
+}
+
+struct Box {
+  float low[3] = {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
+                  std::numeric_limits<float>::infinity()};
+  float high[3] = {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
+                   -std::numeric_limits<float>::infinity()};
+
+  void add(const Box& other) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], other.low[k]);
+      high[k] = std::max(high[k], other.high[k]);
+    }
+  }
+  bool overlaps(const Box& other) const {
+    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
+           other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
+  }
+  bool contains(const Vec3& p) const {
+    return low[0] <= p.x && p.x <= high[0] && low[1] <= p.y && p.y <= high[1] && low[2] <= p.z &&
+           p.z <= high[2];
+  }
+};
+
+/// Collects points in doubles; the rounding to floats happens once.
+struct Bounds {
+  Vec3 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+           std::numeric_limits<double>::infinity()};
+  Vec3 high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+            -std::numeric_limits<double>::infinity()};
+
+  void add(const Vec3& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  Box box() const {
+    Box result;
+    result.low[0] = round_down(low.x);
+    result.low[1] = round_down(low.y);
+    result.low[2] = round_down(low.z);
+    result.high[0] = round_up(high.x);
+    result.high[1] = round_up(high.y);
+    result.high[2] = round_up(high.z);
+    return result;
+  }
+};
+
+}  // namespace sectile

@@ -1,0 +1,127 @@
+#include "search/box_tree.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+namespace sectile {
+namespace {
+
+constexpr std::size_t parallel_from = 8192;
+
+template <class Body>
+void for_range(std::size_t count, const Body& body) {
+  if (count < parallel_from) {
+    body(std::size_t(0), count);
+  } else {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 2048),
+                      [&](const auto& range) { body(range.begin(), range.end()); });
+  }
+}
+
+// Spreads the low ten bits to every third bit.
+std::uint32_t spread(std::uint32_t x) {
+  x = (x | (x << 16)) & 0x030000FFu;
+  x = (x | (x << 8)) & 0x0300F00Fu;
+  x = (x | (x << 4)) & 0x030C30C3u;
+  return (x | (x << 2)) & 0x09249249u;
+}
+
+class Morton {
+ public:
+  explicit Morton(const Box& bounds) {
+    for (int k = 0; k < 3; ++k) {
+      low_[k] = bounds.low[k];
+      const double extent = double(bounds.high[k]) - bounds.low[k];
+      scale_[k] = extent > 0 && std::isfinite(extent) ? 1024.0 / extent : 0.0;
+    }
+  }
+  std::uint32_t operator()(const Box& box) const {
+    std::uint32_t key = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double centre = 0.5 * (double(box.low[k]) + box.high[k]);
+      const double cell = (centre - low_[k]) * scale_[k];
+      key |= spread(cell >= 1023 ? 1023u : cell > 0 ? static_cast<std::uint32_t>(cell) : 0u) << k;
+    }
+    return key;
+  }
+
+ private:
+  double low_[3], scale_[3];
+};
+
+std::vector<Box> pairs_above(const std::vector<Box>& below) {
+  std::vector<Box> level((below.size() + 1) / 2);
+  for_range(level.size(), [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
+      level[i] = below[2 * i];
+      if (2 * i + 1 < below.size()) level[i].add(below[2 * i + 1]);
+    }
+  });
+  return level;
+}
+
+}  // namespace
+
+BoxTree::BoxTree(const std::vector<Box>& boxes) {
+  if (boxes.empty()) return;
+  Box all;
+  for (const Box& b : boxes) all.add(b);
+  const Morton morton(all);
+  std::vector<std::uint64_t> keys(boxes.size());
+  for_range(boxes.size(), [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) keys[i] = std::uint64_t(morton(boxes[i])) << 32 | i;
+  });
+  if (keys.size() < parallel_from) {
+    std::sort(keys.begin(), keys.end());
+  } else {
+    tbb::parallel_sort(keys.begin(), keys.end());
+  }
+  items_.resize(boxes.size());
+  item_boxes_.resize(boxes.size());
+  std::vector<Box> leaves((boxes.size() + leaf_size - 1) / leaf_size);
+  for_range(leaves.size(), [&](std::size_t from, std::size_t to) {
+    for (std::size_t leaf = from; leaf < to; ++leaf) {
+      const auto [begin, end] = range(static_cast<std::uint32_t>(leaf));
+      for (std::uint32_t i = begin; i < end; ++i) {
+        items_[i] = static_cast<std::uint32_t>(keys[i]);
+        item_boxes_[i] = boxes[items_[i]];
+        leaves[leaf].add(item_boxes_[i]);
+      }
+    }
+  });
+  levels_.push_back(std::move(leaves));
+  while (levels_.back().size() > 1) levels_.push_back(pairs_above(levels_.back()));
+}
+
+std::vector<BoxTree::NodePair> BoxTree::overlapping_nodes(const BoxTree& a, const BoxTree& b,
+                                                          std::size_t wanted) {
+  std::vector<NodePair> pairs, finer;
+  if (a.empty() || b.empty() || !a.bounds().overlaps(b.bounds())) return pairs;
+  pairs.push_back({a.root(), b.root()});
+  while (!pairs.empty() && pairs.size() < wanted) {
+    finer.clear();
+    bool split = false;
+    for (const auto& [p, q] : pairs) {
+      const auto keep = [&](Node s, Node t) {
+        if (a.box(s).overlaps(b.box(t))) finer.push_back({s, t});
+      };
+      if (p.level == 0 && q.level == 0) {
+        finer.push_back({p, q});
+      } else if (p.level >= q.level) {
+        split = true;
+        keep(child(p, 0), q);
+        if (a.has_second_child(p)) keep(child(p, 1), q);
+      } else {
+        split = true;
+        keep(p, child(q, 0));
+        if (b.has_second_child(q)) keep(p, child(q, 1));
+      }
+    }
+    pairs.swap(finer);
+    if (!split) break;
+  }
+  return pairs;
+}
+
+}  // namespace sectile

@@ -1,0 +1,169 @@
+#include "topology/euler.h"
+
+#include <cassert>
+
+namespace sectile {
+
+HalfEdgeId Euler::add_edge(VertexId from, VertexId to) {
+  const HalfEdgeId h(brep_.half_edge_count());
+  brep_.origin.push_back(from);
+  brep_.origin.push_back(to);
+  brep_.next.resize(brep_.next.size() + 2);
+  brep_.prev.resize(brep_.prev.size() + 2);
+  brep_.loop.resize(brep_.loop.size() + 2);
+  if (!brep_.edge_plane.empty()) brep_.edge_plane.push_back(PlaneId());
+  return h;
+}
+
+void Euler::link(HalfEdgeId before, HalfEdgeId after) {
+  brep_.next[before.value()] = after;
+  brep_.prev[after.value()] = before;
+}
+
+void Euler::label(HalfEdgeId member, LoopId loop) {
+  brep_.loop_half_edge[loop.value()] = member;
+  HalfEdgeId h = member;
+  do {
+    brep_.loop[h.value()] = loop;
+    h = brep_.next_of(h);
+  } while (h != member);
+}
+
+// Walks both loops in step, so that the cost is that of the shorter one.
+bool Euler::first_is_shorter(HalfEdgeId a, HalfEdgeId b) const {
+  for (HalfEdgeId i = a, j = b;;) {
+    i = brep_.next_of(i);
+    if (i == a) return true;
+    j = brep_.next_of(j);
+    if (j == b) return false;
+  }
+}
+
+FaceId Euler::copy_face(FaceId face) {
+  const FaceId copy(brep_.face_count());
+  brep_.outer_loop.push_back(LoopId());
+  brep_.plane.push_back(brep_.plane[face.value()]);
+  brep_.source.push_back(brep_.source[face.value()]);
+  if (!brep_.kind.empty()) brep_.kind.push_back(brep_.kind[face.value()]);
+  return copy;
+}
+
+LoopId Euler::add_loop(HalfEdgeId member, FaceId face) {
+  const LoopId loop(brep_.loop_count());
+  brep_.loop_half_edge.push_back(member);
+  brep_.loop_face.push_back(face);
+  brep_.next_loop.push_back(LoopId());
+  LoopId& outer = brep_.outer_loop[face.value()];
+  if (outer.valid()) {
+    brep_.next_loop[loop.value()] = brep_.next_loop[outer.value()];
+    brep_.next_loop[outer.value()] = loop;
+  } else {
+    outer = loop;
+  }
+  return loop;
+}
+
+VertexId Euler::semv(HalfEdgeId h, PointId point) {
+  const HalfEdgeId back = Brep::twin(h);
+  const VertexId end = brep_.from(back), middle(brep_.vertex_count());
+  brep_.point.push_back(point);
+  const HalfEdgeId on = add_edge(middle, end), on_back = Brep::twin(on);
+  brep_.vertex_half_edge.push_back(on);
+  if (!brep_.edge_plane.empty())
+    brep_.edge_plane.back() = brep_.edge_plane[Brep::edge_of(h).value()];
+  brep_.origin[back.value()] = middle;
+  if (brep_.vertex_half_edge[end.value()] == back) brep_.vertex_half_edge[end.value()] = on_back;
+  // At a dangling end the half-edge that follows h is its own twin.
+  if (brep_.next_of(h) == back) {
+    link(on, on_back);
+  } else {
+    link(on, brep_.next_of(h));
+    link(brep_.prev_of(back), on_back);
+  }
+  link(h, on);
+  link(on_back, back);
+  brep_.loop[on.value()] = brep_.loop_of(h);
+  brep_.loop[on_back.value()] = brep_.loop_of(back);
+  return middle;
+}
+
+HalfEdgeId Euler::mev(HalfEdgeId first, HalfEdgeId end) {
+  const VertexId old = brep_.from(first), made(brep_.vertex_count());
+  assert(brep_.from(end) == old);
+  brep_.point.push_back(brep_.point_of(old));
+  const HalfEdgeId out = add_edge(old, made), back = Brep::twin(out);
+  brep_.vertex_half_edge.push_back(back);
+  for (HalfEdgeId h = first; h != end; h = brep_.around(h)) brep_.origin[h.value()] = made;
+  brep_.vertex_half_edge[old.value()] = out;
+  const HalfEdgeId into_first = Brep::twin(first), into_end = Brep::twin(end);
+  const HalfEdgeId after_first = brep_.next_of(into_first), after_end = brep_.next_of(into_end);
+  if (first == end) {
+    link(into_end, out);
+    link(out, back);
+    link(back, after_end);
+  } else {
+    link(into_first, back);
+    link(back, after_first);
+    link(into_end, out);
+    link(out, after_end);
+  }
+  brep_.loop[back.value()] = brep_.loop_of(into_first);
+  brep_.loop[out.value()] = brep_.loop_of(into_end);
+  return out;
+}
+
+HalfEdgeId Euler::cross_link(HalfEdgeId a, HalfEdgeId b) {
+  const HalfEdgeId before_a = brep_.prev_of(a), before_b = brep_.prev_of(b);
+  const HalfEdgeId h = add_edge(brep_.from(a), brep_.from(b)), back = Brep::twin(h);
+  link(before_a, h);
+  link(h, b);
+  link(before_b, back);
+  link(back, a);
+  return h;
+}
+
+HalfEdgeId Euler::mef(HalfEdgeId a, HalfEdgeId b) {
+  assert(a != b && brep_.loop_of(a) == brep_.loop_of(b));
+  const LoopId old = brep_.loop_of(a);
+  const FaceId face = brep_.loop_face[old.value()];
+  const HalfEdgeId h = cross_link(a, b), back = Brep::twin(h);
+  const bool forward = first_is_shorter(h, back);
+  const HalfEdgeId kept = forward ? back : h, gone = forward ? h : back;
+  brep_.loop[kept.value()] = old;
+  brep_.loop_half_edge[old.value()] = kept;
+  label(gone, add_loop(gone, copy_face(face)));
+  return h;
+}
+
+HalfEdgeId Euler::mekr(HalfEdgeId a, HalfEdgeId b) {
+  const LoopId loop_a = brep_.loop_of(a), loop_b = brep_.loop_of(b);
+  assert(loop_a != loop_b && brep_.loop_face[loop_a.value()] == brep_.loop_face[loop_b.value()]);
+  const bool a_goes = first_is_shorter(a, b);
+  const LoopId gone = a_goes ? loop_a : loop_b, kept = a_goes ? loop_b : loop_a;
+  label(a_goes ? a : b, kept);
+  brep_.loop_half_edge[gone.value()] = HalfEdgeId();
+  const HalfEdgeId h = cross_link(a, b);
+  brep_.loop[h.value()] = brep_.loop[Brep::twin(h).value()] = kept;
+  brep_.loop_half_edge[kept.value()] = h;
+  return h;
+}
+
+HalfEdgeId Euler::connect(HalfEdgeId a, HalfEdgeId b) {
+  return brep_.loop_of(a) == brep_.loop_of(b) ? mef(a, b) : mekr(a, b);
+}
+
+HalfEdgeId Euler::mevvr(FaceId face, PointId point) {
+  const VertexId first(brep_.vertex_count()), second(brep_.vertex_count() + 1);
+  brep_.point.push_back(point);
+  brep_.point.push_back(point);
+  const HalfEdgeId h = add_edge(first, second), back = Brep::twin(h);
+  brep_.vertex_half_edge.push_back(h);
+  brep_.vertex_half_edge.push_back(back);
+  link(h, back);
+  link(back, h);
+  const LoopId loop = add_loop(h, face);
+  brep_.loop[h.value()] = brep_.loop[back.value()] = loop;
+  return h;
+}
+
+}  // namespace sectile

@@ -1,0 +1,53 @@
+// The Euler operators: the only way in which the algorithm changes a half-edge structure. Each
+// keeps V - E + F - (L - F) = 2 (S - G), with L loops.
+//
+// The corner of a half-edge h is the sector of its face between h and the half-edge before it; it
+// is named by h, which leaves the corner's vertex.
+#pragma once
+
+#include "topology/brep.h"
+
+namespace sectile {
+
+class Euler {
+ public:
+  explicit Euler(Brep& brep) : brep_(brep) {}
+
+  /// Split edge, make vertex: h now ends in the new vertex; the new half-edge goes on to where h
+  /// ended. Returns the new vertex.
+  VertexId semv(HalfEdgeId h, PointId point);
+
+  /// Make edge and vertex: the half-edges that leave a vertex counter-clockwise from `first` up to,
+  /// but without, `end` move to a new vertex at the same point (first == end: none of them).
+  /// Returns the new half-edge from the old vertex to the new one; its twin lies in the corner
+  /// clockwise of `first`, it itself in the corner clockwise of `end`.
+  HalfEdgeId mev(HalfEdgeId first, HalfEdgeId end);
+
+  /// Make edge and face: a and b leave corners of one loop. The new half-edge runs from the corner
+  /// of a to the corner of b and is returned; it is followed by b, its twin by a. The shorter loop
+  /// goes to the new face, a copy of the old one.
+  HalfEdgeId mef(HalfEdgeId a, HalfEdgeId b);
+
+  /// Make edge, kill ring: as mef, for corners of two loops of one face, which become one loop.
+  HalfEdgeId mekr(HalfEdgeId a, HalfEdgeId b);
+
+  /// mef or mekr, as the loops demand.
+  HalfEdgeId connect(HalfEdgeId a, HalfEdgeId b);
+
+  /// Make edge, two vertices and ring: an edge between two new vertices, as a loop of its own in
+  /// the face. Returns the half-edge from the first vertex to the second.
+  HalfEdgeId mevvr(FaceId face, PointId point);
+
+ private:
+  HalfEdgeId add_edge(VertexId from, VertexId to);
+  void link(HalfEdgeId before, HalfEdgeId after);
+  HalfEdgeId cross_link(HalfEdgeId a, HalfEdgeId b);
+  void label(HalfEdgeId member, LoopId loop);
+  bool first_is_shorter(HalfEdgeId a, HalfEdgeId b) const;
+  FaceId copy_face(FaceId face);
+  LoopId add_loop(HalfEdgeId member, FaceId face);
+
+  Brep& brep_;
+};
+
+}  // namespace sectile
