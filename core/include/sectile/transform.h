@@ -14,15 +14,24 @@ struct Transform {
   static Transform translation(const Vec3& by);
   static Transform scaling(const Vec3& by);
   /// Right-handed rotation about an axis through the origin; multiples of a right angle about a
-  /// coordinate axis are exact.
+  /// coordinate axis are exact. Throws std::invalid_argument if the axis is zero.
   static Transform rotation_degrees(const Vec3& axis, double degrees);
+  /// Each coordinate is rounded once, to the nearest double.
   Vec3 operator()(const Vec3& point) const;
+  /// First `first`, then `second`; each entry is rounded once.
   friend Transform operator*(const Transform& second, const Transform& first);
 };
 
-/// Each coordinate rounded to the nearest double; faces that this makes non-planar are split into
-/// triangles. Orientation is kept by turning the faces when the map mirrors.
+/// Each coordinate rounded to the nearest double. Orientation is kept by turning the faces when the
+/// map mirrors. Throws std::invalid_argument for a matrix that is singular or not finite, and if an
+/// image is too large for doubles.
 PolygonMesh transformed(const PolygonMesh& mesh, const Transform& transform);
+
+/// The same for a solid. If the doubles hold the images of all its explicit points exactly (say,
+/// translations and right angles on a grid, scaling by powers of two), nothing is rounded and the
+/// image is exact, implicit points included. Otherwise every vertex is rounded once and the faces
+/// are imported again: those that this makes non-planar are split into triangles. In both cases the
+/// faces keep their FaceSource and the solid its origin().
 Solid transformed(const Solid& solid, const Transform& transform);
 
 }  // namespace sectile
