@@ -1,0 +1,83 @@
+// Triangles of plane faces with holes, and the orientation of their loops.
+//
+// Coordinates are never seen. The corners of a face are numbered through, loop after loop, and
+// everything is decided by two exact tests on corner numbers that the caller provides:
+//   compare(i, j)   positive if corner j comes after corner i in the order of the first and then
+//                   the second coordinate of the plane; zero if they are at the same place;
+//   turn(i, j, k)   positive if the path i, j, k turns left.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/ear_clipping.h"
+#include "geometry/region_sweep.h"
+#include "numbers/sign.h"
+
+namespace sectile {
+
+template <class T>
+concept CornerPredicates = requires(const T& exact, std::uint32_t corner) {
+  { exact.compare(corner, corner) } -> std::same_as<Sign>;
+  { exact.turn(corner, corner, corner) } -> std::same_as<Sign>;
+};
+
+/// Appends triangles that cover a region exactly once: of positive area, counter-clockwise, as
+/// three corner numbers. Loop k has the corners loop_ends[k - 1] to loop_ends[k] - 1; the region
+/// lies to the left of every edge. Loops may touch themselves and each other in places and on
+/// edges, contain slits and corners of 180°.
+///
+/// Every edge of a loop is the edge of exactly one triangle, except that an edge which a corner
+/// touches from the region's side is divided there. Where loops touch in a place, several corners
+/// stand for it, and the triangles of one sector use the corner that its first edge leaves.
+///
+/// Takes O(n log n). Throws InternalError if the loops bound no region.
+template <CornerPredicates Predicates>
+void triangulate(const Predicates& exact, std::span<const std::uint32_t> loop_ends,
+                 std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  if (loop_ends.size() == 1 && loop_ends[0] <= EarClipping<Predicates>::most_corners) {
+    if (loop_ends[0] == 3) {
+      triangles.push_back({0, 1, 2});
+      return;
+    }
+    if (loop_ends[0] > 3 && EarClipping(exact, loop_ends[0]).run(triangles)) return;
+  }
+  RegionSweep(exact, loop_ends, triangles).run();
+}
+
+/// The orientation of the loop of the corners first to end - 1: positive if it is
+/// counter-clockwise, negative if it is clockwise or consists of slits only (as an inner loop).
+/// The loop may touch itself, but not cross itself.
+template <CornerPredicates Predicates>
+Sign orientation(const Predicates& exact, std::uint32_t first, std::uint32_t end) {
+  // Counts by how many half turns the edges turn left on the way round. Only where the order of
+  // the corners is reversed is there a doubt; at the tip of a slit the path turns right.
+  const auto next = [&](std::uint32_t corner) { return corner + 1 == end ? first : corner + 1; };
+  int half_turns = 0;
+  Sign first_direction = Sign::zero, direction = Sign::zero;
+  std::uint32_t first_tail = first, tail = first;
+  const auto follow = [&](std::uint32_t corner, Sign edge) {
+    if (edge != direction) {
+      half_turns += exact.turn(tail, corner, next(corner)) == Sign::positive ? 1 : -1;
+    }
+    direction = edge;
+    tail = corner;
+  };
+  for (std::uint32_t corner = first; corner < end; ++corner) {
+    const Sign edge = exact.compare(corner, next(corner));
+    if (edge == Sign::zero) continue;
+    if (direction == Sign::zero) {
+      first_direction = direction = edge;
+      first_tail = tail = corner;
+    } else {
+      follow(corner, edge);
+    }
+  }
+  if (direction != Sign::zero) follow(first_tail, first_direction);
+  return sign_of(half_turns);
+}
+
+}  // namespace sectile

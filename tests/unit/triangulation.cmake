@@ -1,0 +1,1 @@
+sectile_test(triangulation_test SOURCES triangulation_test.cpp mesh_regions.cpp)
