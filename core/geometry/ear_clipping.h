@@ -20,7 +20,10 @@ class EarClipping {
   /// For the loop of the corners 0 to corners - 1.
   EarClipping(const Predicates& exact, std::uint32_t corners) : exact_(exact), size_(corners) {
     for (std::uint32_t i = 0; i < size_; ++i) ring_[i] = i;
-    for (std::uint32_t i = 0; i < size_; ++i) update_turn(i);
+    for (std::uint32_t i = 0; i < size_; ++i) {
+      update_turn(i);
+      convex_ = convex_ && turn_[i] == Sign::positive;
+    }
   }
 
   /// Cuts ears one by one; false, with nothing added, if only ears remain that a corner touches.
@@ -63,6 +66,7 @@ class EarClipping {
   /// crossing the two edges of the ear does so with a corner of 180° or more.
   bool is_free(std::uint32_t ear) const {
     const std::uint32_t a = before_of(ear), c = after(ear);
+    if (convex_) return true;
     for (std::uint32_t i = after(c); i != a; i = after(i)) {
       if (turn_[i] != Sign::positive && !is_outside(ring_[i], ring_[a], ring_[ear], ring_[c])) {
         return false;
@@ -81,13 +85,16 @@ class EarClipping {
     std::copy(turn_.begin() + ear + 1, turn_.begin() + size_, turn_.begin() + ear);
     --size_;
     const std::uint32_t next = ear == size_ ? 0 : ear;
-    update_turn(before_of(next));
-    update_turn(next);
+    if (!convex_) {  // else it stays so
+      update_turn(before_of(next));
+      update_turn(next);
+    }
     return after(next);
   }
 
   const Predicates& exact_;
   std::uint32_t size_;
+  bool convex_ = true;
   std::array<std::uint32_t, most_corners> ring_;
   std::array<Sign, most_corners> turn_;
 };

@@ -166,9 +166,9 @@ class RegionSweep {
     std::sort(right_.begin(), right_.end(), [this](std::uint32_t a, std::uint32_t b) {
       const Sign turn = direction_turn(a, b);
       if (turn != Sign::zero) return turn == Sign::positive;
-      return is_rightward(a) != is_rightward(b) ? is_rightward(b) : a < b;
+      return a < b;
     });
-    // Edges on each other with the region at neither side rather than at both.
+    // The order of edges on each other follows from the region: at both sides of them, or neither.
     bool rightward = gap_.below == none || !is_rightward(gap_.below);
     for (std::size_t i = 0; i + 1 < right_.size(); ++i, rightward = !rightward) {
       if (is_rightward(right_[i]) == rightward) continue;

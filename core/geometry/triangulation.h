@@ -31,10 +31,12 @@ concept CornerPredicates = requires(const T& exact, std::uint32_t corner) {
 /// edges, contain slits and corners of 180°.
 ///
 /// Every edge of a loop is the edge of exactly one triangle, except that an edge which a corner
-/// touches from the region's side is divided there. Where loops touch in a place, several corners
-/// stand for it, and the triangles of one sector use the corner that its first edge leaves.
+/// touches from the region's side is divided there, and that edges which run on each other with no
+/// region between them have no triangles between them. Where loops touch in a place, several
+/// corners stand for it, and the triangles of one sector use the corner that its first edge leaves.
 ///
-/// Takes O(n log n). Throws InternalError if the loops bound no region.
+/// Takes O(n log n). Loops that bound no region are a defect of the caller; where the sweep notices
+/// it, InternalError is thrown.
 template <CornerPredicates Predicates>
 void triangulate(const Predicates& exact, std::span<const std::uint32_t> loop_ends,
                  std::vector<std::array<std::uint32_t, 3>>& triangles) {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "unit/mesh_regions.h"
 #include "unit/triangulation_check.h"
@@ -83,6 +84,63 @@ TEST(triangulation, corners_that_touch_edges) {
                       12);
   // A hole that touches all four sides leaves four triangles, which do not hang together.
   expect_triangulated(Region({square(0, 0, 8), {{4, 0}, {0, 4}, {4, 8}, {8, 4}}}), 4);
+}
+
+TEST(triangulation, edges_on_each_other_without_region_between) {
+  const auto expect_area = [](const Region& region, std::size_t count) {
+    std::int64_t area = 0, expected = 0;
+    const Triangles triangles = triangles_of(region);
+    EXPECT_EQ(triangles.size(), count);
+    for (const auto& [a, b, c] : triangles) {
+      EXPECT_GT(area2(region.points[a], region.points[b], region.points[c]), 0);
+      area += area2(region.points[a], region.points[b], region.points[c]);
+    }
+    for (std::size_t loop = 0; loop < region.loop_ends.size(); ++loop) {
+      expected += loop_area2(region, loop);
+    }
+    EXPECT_EQ(area, expected);
+  };
+  expect_area(Region({square(0, 0, 9), square_hole(2, 0, 3)}), 6);
+  expect_area(Region({square(0, 0, 9), square_hole(6, 2, 3)}), 6);
+  expect_area(Region({square(0, 0, 9), square_hole(0, 0, 3)}), 4);
+  expect_area(Region({square(0, 0, 9), square_hole(2, 2, 2), square_hole(4, 2, 2)}), 10);
+  expect_area(Region({square(0, 0, 9), square_hole(2, 2, 2), square_hole(4, 3, 2)}), 12);
+}
+
+TEST(triangulation, edges_without_length) {
+  const Region region({{{0, 0}, {0, 0}, {9, 0}, {9, 9}, {9, 9}, {9, 9}, {0, 9}},
+                       {{2, 2}, {2, 4}, {2, 4}, {4, 4}, {4, 2}, {2, 2}}});
+  EXPECT_EQ(triangles_of(region).size(), 8u);
+  EXPECT_EQ(orientation(region.predicates(), 0, 7), Sign::positive);
+  EXPECT_EQ(orientation(region.predicates(), 7, 13), Sign::negative);
+}
+
+TEST(triangulation, corners_at_one_place) {
+  // Corners 0 and 4 lie at one place, in two sectors. Each sector's corner is the one that the
+  // sector's first edge leaves: 0 from the edge 0-1 to 6-4, and 4 from the edge 4-5 to 3-0.
+  const Region region({square(0, 0, 9), {{0, 0}, {2, 4}, {4, 2}}});
+  std::set<std::array<std::uint32_t, 2>> sides;
+  for (const auto& [a, b, c] : triangles_of(region)) {
+    sides.insert({{a, b}, {b, c}, {c, a}});
+  }
+  EXPECT_TRUE(sides.count({0, 1}) && sides.count({6, 0}));
+  EXPECT_TRUE(sides.count({4, 5}) && sides.count({3, 4}));
+}
+
+TEST(triangulation, ears_of_loops_with_straight_corners) {
+  const auto clips = [](const Loop& loop) {
+    const Region region({loop});
+    const GridPredicates predicates = region.predicates();
+    Triangles triangles;
+    const bool done = EarClipping(predicates, region.loop_ends[0]).run(triangles);
+    if (done) expect_covers(region, triangles);
+    return done;
+  };
+  EXPECT_TRUE(clips({{0, 0}, {1, 0}, {2, 0}, {4, 0}, {0, 4}}));
+  EXPECT_TRUE(clips({{2, 0}, {4, 0}, {0, 4}, {0, 0}, {1, 0}}));
+  EXPECT_TRUE(clips({{0, 0}, {2, 0}, {4, 0}, {2, 2}, {0, 4}, {0, 2}}));
+  EXPECT_TRUE(clips({{0, 0}, {4, 4}, {0, 0}, {9, 0}, {9, 9}, {0, 9}}));
+  EXPECT_FALSE(clips(square_hole(0, 0, 4)));
 }
 
 TEST(triangulation, star_comb_and_spiral) {
