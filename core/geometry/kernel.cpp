@@ -28,13 +28,6 @@ const Dyadic& component(const ExactPoint& p, int axis) {
   return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
-// A filter's verdict: the sign of a value known up to an error, if that decides.
-struct Verdict {
-  double value, error;
-  bool decided() const { return std::abs(value) > error; }
-  Sign sign() const { return sign_of(value); }
-};
-
 struct ExactVec {
   Dyadic x, y, z;
 };
@@ -305,7 +298,7 @@ ExactPoint Kernel::exact(const Construction& how) const {
   return construct(geometry_, how, [&](PlaneId s) -> const ExactPlane& { return exact(s); });
 }
 
-Sign Kernel::side(PointId point, PlaneId plane) const {
+Estimate Kernel::estimate(PointId point, PlaneId plane) const {
   const PlaneValue& s = value(plane);
   const Vec3& p = geometry_.position(point);
   const double x = s.n[0] * p.x, y = s.n[1] * p.y, z = s.n[2] * p.z;
@@ -313,9 +306,12 @@ Sign Kernel::side(PointId point, PlaneId plane) const {
   const double sum = std::abs(x) + std::abs(y) + std::abs(z) + std::abs(s.d);
   const double error = 12 * unit * sum + 8 * smallest + s.d_error +
                        s.n_error * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z)) * (1 + 8 * unit);
-  const Verdict verdict{x + y + z + s.d, error};
-  if (verdict.decided()) return verdict.sign();
-  return exact_side(point, plane);
+  return {x + y + z + s.d, error};
+}
+
+Sign Kernel::side(PointId point, PlaneId plane) const {
+  const Estimate value = estimate(point, plane);
+  return value.decided() ? value.sign() : exact_side(point, plane);
 }
 
 Sign Kernel::exact_side(PointId point, PlaneId plane) const {
@@ -359,7 +355,7 @@ Sign Kernel::det(PlaneId a, PlaneId b, PlaneId c) const {
   double error = 16 * unit * permanent;
   if (!exact_operands)
     error += 2 * (u.n_error * lv * lw + v.n_error * lu * lw + w.n_error * lu * lv) + 32 * smallest;
-  const Verdict verdict{sum, error};
+  const Estimate verdict{sum, error};
   if (verdict.decided()) return verdict.sign();
   if (exact_operands && permanent == 0) return Sign::zero;
   const ExactPlane &p = exact(a), &q = exact(b), &r = exact(c);
@@ -381,7 +377,7 @@ Sign Kernel::cross(PlaneId a, PlaneId b, int axis) const {
     error += 2 * (u.n_error * (std::abs(v.n[i]) + std::abs(v.n[j]) + v.n_error) +
                   v.n_error * (std::abs(u.n[i]) + std::abs(u.n[j]) + u.n_error)) +
              8 * smallest;
-  const Verdict verdict{left - right, error};
+  const Estimate verdict{left - right, error};
   if (verdict.decided()) return verdict.sign();
   if (exact_operands) {
     if (sum == 0) return Sign::zero;
@@ -479,7 +475,7 @@ Sign Kernel::turn(PointId p, PointId q, PointId r, int axis) const {
     error += 2 * (hi * (std::abs(cj - aj) + std::abs(bj - aj) + hj) +
                   hj * (std::abs(bi - ai) + std::abs(ci - ai) + hi));
   }
-  const Verdict verdict{left - right, error};
+  const Estimate verdict{left - right, error};
   if (verdict.decided()) return verdict.sign();
   if (all_explicit) return exact_turn(a, b, c, axis);
   const ExactPoint &u = exact(p), &v = exact(q), &w = exact(r);

@@ -38,6 +38,13 @@ PlaneValue plane_value(const Geometry& geometry, PlaneId plane);
 ExactPlane exact_plane(const Geometry& geometry, PlaneId plane);
 ExactPoint exact_point(const Geometry& geometry, PointId point);
 
+/// A value known up to an error.
+struct Estimate {
+  double value, error;
+  bool decided() const { return value > error || value < -error; }
+  Sign sign() const { return sign_of(value); }
+};
+
 /// The tests for the points and planes of one geometry. Tests may run in many threads at a time;
 /// refresh() may not run beside them.
 class Kernel {
@@ -54,6 +61,8 @@ class Kernel {
 
   /// Positive: the point lies on the side to which the normal points.
   Sign side(PointId point, PlaneId plane) const;
+  /// The value of the plane's equation at a point, in doubles.
+  Estimate estimate(PointId point, PlaneId plane) const;
   /// The sign of the determinant of three normals.
   Sign det(PlaneId a, PlaneId b, PlaneId c) const;
   /// The sign of one component of normal(a) × normal(b).

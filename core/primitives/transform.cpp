@@ -47,16 +47,17 @@ Transform Transform::scaling(const Vec3& by) {
   return {{by.x, 0, 0, 0, 0, by.y, 0, 0, 0, 0, by.z, 0}};
 }
 
-// Rodrigues: cos·I + sin·[u]× + (1 - cos)·u·uᵀ. With u on a coordinate axis every product is with
-// 0 or 1, and with cosine and sine exact so is the matrix.
+// Rodrigues: cos·I + sin·[u]× + (1 - cos)·u·uᵀ, the diagonal written as u² + cos·(1 - u²). With u
+// on a coordinate axis every product is with 0 or 1, so with cosine and sine exact the matrix is.
 Transform Transform::rotation_degrees(const Vec3& axis, double degrees) {
   require(std::isfinite(degrees), "The angle of a rotation must be finite.");
   const Vec3 u = unit_axis(axis);
   const Vec2 turn = unit_vector(degrees);
   const double c = turn.x, s = turn.y, v = 1 - c;
-  return {{c + v * u.x * u.x, v * u.x * u.y - s * u.z, v * u.x * u.z + s * u.y, 0,
-           v * u.y * u.x + s * u.z, c + v * u.y * u.y, v * u.y * u.z - s * u.x, 0,
-           v * u.z * u.x - s * u.y, v * u.z * u.y + s * u.x, c + v * u.z * u.z, 0}};
+  const double xx = u.x * u.x, yy = u.y * u.y, zz = u.z * u.z;
+  return {{xx + c * (yy + zz), v * u.x * u.y - s * u.z, v * u.x * u.z + s * u.y, 0,
+           v * u.x * u.y + s * u.z, yy + c * (zz + xx), v * u.y * u.z - s * u.x, 0,
+           v * u.x * u.z - s * u.y, v * u.y * u.z + s * u.x, zz + c * (xx + yy), 0}};
 }
 
 Vec3 Transform::operator()(const Vec3& point) const {

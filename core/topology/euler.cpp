@@ -122,12 +122,13 @@ HalfEdgeId Euler::cross_link(HalfEdgeId a, HalfEdgeId b) {
   return h;
 }
 
-HalfEdgeId Euler::mef(HalfEdgeId a, HalfEdgeId b) {
+HalfEdgeId Euler::mef(HalfEdgeId a, HalfEdgeId b, NewFace which) {
   assert(a != b && brep_.loop_of(a) == brep_.loop_of(b));
   const LoopId old = brep_.loop_of(a);
   const FaceId face = brep_.loop_face[old.value()];
   const HalfEdgeId h = cross_link(a, b), back = Brep::twin(h);
-  const bool forward = first_is_shorter(h, back);
+  const bool forward =
+      which == NewFace::left || (which == NewFace::shorter && first_is_shorter(h, back));
   const HalfEdgeId kept = forward ? back : h, gone = forward ? h : back;
   brep_.loop[kept.value()] = old;
   brep_.loop_half_edge[old.value()] = kept;
@@ -164,6 +165,18 @@ HalfEdgeId Euler::mevvr(FaceId face, PointId point) {
   const LoopId loop = add_loop(h, face);
   brep_.loop[h.value()] = brep_.loop[back.value()] = loop;
   return h;
+}
+
+void Euler::move_loop(LoopId loop, FaceId face, bool outer) {
+  brep_.loop_face[loop.value()] = face;
+  LoopId& head = brep_.outer_loop[face.value()];
+  if (outer || !head.valid()) {
+    brep_.next_loop[loop.value()] = head;
+    head = loop;
+  } else {
+    brep_.next_loop[loop.value()] = brep_.next_loop[head.value()];
+    brep_.next_loop[head.value()] = loop;
+  }
 }
 
 }  // namespace sectile

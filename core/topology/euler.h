@@ -24,9 +24,10 @@ class Euler {
   HalfEdgeId mev(HalfEdgeId first, HalfEdgeId end);
 
   /// Make edge and face: a and b leave corners of one loop. The new half-edge runs from the corner
-  /// of a to the corner of b and is returned; it is followed by b, its twin by a. The shorter loop
-  /// goes to the new face, a copy of the old one.
-  HalfEdgeId mef(HalfEdgeId a, HalfEdgeId b);
+  /// of a to the corner of b and is returned; it is followed by b, its twin by a. One of the two
+  /// loops goes to the new face, a copy of the old one: the shorter one if nothing else is said.
+  enum class NewFace { shorter, left, right };
+  HalfEdgeId mef(HalfEdgeId a, HalfEdgeId b, NewFace which = NewFace::shorter);
 
   /// Make edge, kill ring: as mef, for corners of two loops of one face, which become one loop.
   HalfEdgeId mekr(HalfEdgeId a, HalfEdgeId b);
@@ -37,6 +38,9 @@ class Euler {
   /// Make edge, two vertices and ring: an edge between two new vertices, as a loop of its own in
   /// the face. Returns the half-edge from the first vertex to the second.
   HalfEdgeId mevvr(FaceId face, PointId point);
+
+  /// Gives a loop to another face, as its outer loop or as an inner one.
+  void move_loop(LoopId loop, FaceId face, bool outer);
 
  private:
   HalfEdgeId add_edge(VertexId from, VertexId to);

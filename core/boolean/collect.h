@@ -1,0 +1,35 @@
+// Runs a loop on all cores and collects what it produces, in the order of the loop.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace sectile {
+
+/// Calls body(i, output) for i = 0 … count - 1; `output` is one Output for each block of the loop.
+template <class Output, class Body>
+std::vector<Output> collect(std::size_t count, std::size_t block, const Body& body) {
+  const std::size_t blocks = (count + block - 1) / block;
+  std::vector<Output> outputs(blocks);
+  const auto run = [&](std::size_t b) {
+    const std::size_t end = std::min(count, (b + 1) * block);
+    for (std::size_t i = b * block; i < end; ++i) body(i, outputs[b]);
+  };
+  if (blocks <= 1) {
+    if (blocks == 1) run(0);
+  } else {
+    tbb::parallel_for(std::size_t(0), blocks, run);
+  }
+  return outputs;
+}
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+}  // namespace sectile

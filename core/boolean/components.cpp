@@ -1,0 +1,193 @@
+#include "boolean/components.h"
+
+#include "boolean/ray.h"
+#include "boolean/tables.h"
+#include "search/id_map.h"
+#include "sectile/errors.h"
+
+namespace sectile {
+namespace {
+
+constexpr std::uint8_t gone = 0, stays = 1, unknown = 2;
+
+class Spreading {
+ public:
+  Spreading(Workspace& w, int s, Operation operation, KeptFaces& kept)
+      : w_(w), s_(s), operation_(operation), patch_(w.patch[s]), brep_(patch_.brep),
+        loaded_(kept.loaded[s]), rest_(kept.rest[s]), open_ends_(64) {
+    loaded_.assign(brep_.face_count(), unknown);
+    if (!patch_.whole) find_rest();
+  }
+
+  void run() {
+    seed_from_segments();
+    spread();
+    visit_untouched_shells();
+    for (std::size_t f = 0; f < loaded_.size(); ++f)
+      if (!patch_.is_real(FaceId(f))) loaded_[f] = gone;
+    for (std::uint8_t& label : rest_)
+      if (label == unknown) label = gone;  // the loaded ones
+  }
+
+ private:
+  const Brep& solid() const { return patch_.solid->brep; }
+
+  void find_rest() {
+    rest_.assign(solid().face_count(), unknown);
+    is_loaded_.assign(solid().face_count(), 0);
+    for (const FaceId f : patch_.face_in_solid) is_loaded_[f.value()] = 1;
+    for (std::size_t i = 0; i < patch_.half_edge_in_solid.size(); ++i)
+      if (const HalfEdgeId h = patch_.half_edge_in_solid[i]; h.valid())
+        open_ends_[h.value()] = static_cast<std::uint32_t>(i);
+  }
+
+  void set(std::vector<std::uint8_t>& labels, std::uint32_t face, std::uint8_t label, bool loaded) {
+    std::uint8_t& now = labels[face];
+    if (now == label) return;
+    if (now != unknown) throw InternalError("a piece of a boundary is kept by one cut, not by another");
+    now = label;
+    stack_.push_back({face, loaded});
+  }
+  void set_loaded(FaceId f, std::uint8_t label) { set(loaded_, f.value(), label, true); }
+  void set_rest(FaceId f, std::uint8_t label) { set(rest_, f.value(), label, false); }
+
+  void seed_from_segments() {
+    std::vector<std::uint8_t> cut(patch_.root.size(), 0);
+    for (const Carrier& c : w_.carriers)
+      if (c.cut && c.solid == s_)
+        for (const HalfEdgeId h : {c.forward, c.backward})
+          cut[patch_.root[brep_.face_of(h).value()].value()] = 1;
+    for (const HalfPlane& h : w_.half_planes) {
+      if (h.solid != s_) continue;
+      const std::uint8_t label = kept(operation_, s_, h.cls) ? stays : gone;
+      const Carrier& c = w_.carriers[h.carrier];
+      // Beside a cut the part is known; elsewhere only a face that was not divided.
+      if (c.cut)
+        set_loaded(brep_.face_of(h.forward ? c.forward : c.backward), label);
+      else if (!cut[h.face.value()])
+        set_loaded(h.face, label);
+    }
+  }
+
+  void spread() {
+    while (!stack_.empty()) {
+      const auto [face, loaded] = stack_.back();
+      stack_.pop_back();
+      if (loaded)
+        spread_loaded(FaceId(face));
+      else
+        spread_rest(FaceId(face));
+    }
+  }
+
+  void spread_loaded(FaceId face) {
+    const std::uint8_t label = loaded_[face.value()];
+    for_each_in_face(brep_, face, [&](HalfEdgeId h) {
+      const HalfEdgeId back = Brep::twin(h);
+      const FaceId beyond = brep_.face_of(back);
+      switch (brep_.kind_of(beyond)) {
+        case FaceKind::real: set_loaded(beyond, label); break;
+        case FaceKind::null: break;
+        case FaceKind::rest:
+          set_rest(solid().face_of(patch_.half_edge_in_solid[back.value()]), label);
+          break;
+      }
+    });
+  }
+
+  void spread_rest(FaceId face) {
+    const std::uint8_t label = rest_[face.value()];
+    for_each_in_face(solid(), face, [&](HalfEdgeId h) {
+      const FaceId beyond = solid().face_of(Brep::twin(h));
+      if (!is_loaded_[beyond.value()])
+        set_rest(beyond, label);
+      else
+        set_loaded(brep_.face_of(Brep::twin(HalfEdgeId(open_ends_[h.value()]))), label);
+    });
+  }
+
+  void visit_untouched_shells() {
+    std::vector<std::uint8_t> in_contact(brep_.vertex_count(), 0);
+    for (const Contact& c : w_.contacts)
+      if (c.on[s_].is_vertex()) in_contact[c.on[s_].vertex().value()] = 1;
+    for (std::size_t f = 0; f < loaded_.size(); ++f) {
+      if (loaded_[f] != unknown || !patch_.is_real(FaceId(f))) continue;
+      if (patch_.unbounded) {  // nothing meets the plane: no part of it is inside the solid
+        set_loaded(FaceId(f), gone);
+        continue;
+      }
+      set_loaded(FaceId(f), label_of(free_point(FaceId(f), in_contact)));
+      spread();
+    }
+    for (std::size_t f = 0; f < rest_.size(); ++f) {
+      if (rest_[f] != unknown || is_loaded_[f]) continue;
+      const HalfEdgeId h = solid().loop_half_edge[solid().outer_loop[f].value()];
+      const PointId p = load_point(patch_.solid->geometry, solid().point_of(solid().from(h)),
+                                   w_.geometry);
+      w_.kernel->refresh();
+      set_rest(FaceId(f), label_of(p));
+      spread();
+    }
+  }
+
+  std::uint8_t label_of(PointId p) {
+    const Class cls = is_inside(w_, 1 - s_, p) ? Class::in : Class::out;
+    return kept(operation_, s_, cls) ? stays : gone;
+  }
+
+  // A point of the shell of a face that is not on the other boundary.
+  PointId free_point(FaceId start, const std::vector<std::uint8_t>& in_contact) {
+    std::vector<std::uint8_t> seen(brep_.face_count(), 0);
+    std::vector<FaceId> front{start};
+    seen[start.value()] = 1;
+    PointId found;
+    while (!front.empty() && !found.valid()) {
+      const FaceId face = front.back();
+      front.pop_back();
+      for_each_in_face(brep_, face, [&](HalfEdgeId h) {
+        const VertexId v = brep_.from(h);
+        if (v.value() < in_contact.size() && !in_contact[v.value()]) found = brep_.point_of(v);
+        const FaceId beyond = brep_.face_of(Brep::twin(h));
+        if (brep_.kind_of(beyond) == FaceKind::rest) {
+          const HalfEdgeId there = patch_.half_edge_in_solid[Brep::twin(h).value()];
+          const HalfEdgeId across = solid().prev_of(there);
+          if (!found.valid())
+            found = load_point(patch_.solid->geometry, solid().point_of(solid().from(across)),
+                               w_.geometry);
+        } else if (patch_.is_real(beyond) && !seen[beyond.value()]) {
+          seen[beyond.value()] = 1;
+          front.push_back(beyond);
+        }
+      });
+    }
+    w_.kernel->refresh();
+    if (!found.valid()) throw InternalError("all vertices of a shell lie on the other boundary");
+    return found;
+  }
+
+  struct Pending {
+    std::uint32_t face;
+    bool loaded;
+  };
+
+  Workspace& w_;
+  int s_;
+  Operation operation_;
+  const Patch& patch_;
+  const Brep& brep_;
+  std::vector<std::uint8_t>& loaded_;
+  std::vector<std::uint8_t>& rest_;
+  std::vector<std::uint8_t> is_loaded_;
+  IdMap open_ends_;
+  std::vector<Pending> stack_;
+};
+
+}  // namespace
+
+KeptFaces find_components(Workspace& w, Operation operation) {
+  KeptFaces kept;
+  for (int s = 0; s < 2; ++s) Spreading(w, s, operation, kept).run();
+  return kept;
+}
+
+}  // namespace sectile

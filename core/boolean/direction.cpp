@@ -1,0 +1,66 @@
+#include "boolean/direction.h"
+
+namespace sectile {
+
+bool same_way(const Kernel& kernel, PlaneId plane, Direction a, Direction b) {
+  const int axis = kernel.cross_axis(plane, a.across);
+  return kernel.cross(plane, a.across, axis) * a.sense ==
+         kernel.cross(plane, b.across, axis) * b.sense;
+}
+
+Direction direction_of(const Kernel& kernel, const Patch& patch, HalfEdgeId h) {
+  const Brep& brep = patch.brep;
+  const PlaneId plane = brep.plane_of(h), across = patch.side(h);
+  const int axis = kernel.cross_axis(plane, across);
+  const PointId from = brep.point_of(brep.from(h)), to = brep.point_of(brep.to(h));
+  return {across, kernel.compare(from, to, axis) * kernel.cross(plane, across, axis)};
+}
+
+Within within_sector(const Kernel& kernel, PlaneId plane, Direction d, Direction first,
+                     Direction last) {
+  const Sign from_first = turn(kernel, plane, first, d);
+  if (from_first == Sign::zero && same_way(kernel, plane, first, d)) return Within::along_first;
+  const Sign to_last = turn(kernel, plane, d, last);
+  if (to_last == Sign::zero && same_way(kernel, plane, d, last)) return Within::along_last;
+  const Sign opening = turn(kernel, plane, first, last);
+  if (opening == Sign::positive)
+    return from_first == Sign::positive && to_last == Sign::positive ? Within::inside
+                                                                     : Within::outside;
+  if (opening == Sign::negative)
+    return from_first == Sign::negative && to_last == Sign::negative ? Within::outside
+                                                                     : Within::inside;
+  if (same_way(kernel, plane, first, last)) return Within::inside;
+  return from_first == Sign::positive ? Within::inside : Within::outside;
+}
+
+Within within_corner(const Kernel& kernel, const Patch& patch, HalfEdgeId h, Direction d) {
+  const PlaneId plane = patch.brep.plane_of(h);
+  return within_sector(kernel, plane, d, direction_of(kernel, patch, h),
+                       -direction_of(kernel, patch, patch.brep.prev_of(h)));
+}
+
+namespace {
+
+// 0: along the start, 1: less than half a turn after it, 2: opposite, 3: more than half a turn.
+int quarter(const Kernel& kernel, PlaneId plane, Direction start, Direction d) {
+  switch (turn(kernel, plane, start, d)) {
+    case Sign::positive:
+      return 1;
+    case Sign::negative:
+      return 3;
+    case Sign::zero:
+      break;
+  }
+  return same_way(kernel, plane, start, d) ? 0 : 2;
+}
+
+}  // namespace
+
+bool before_counter_clockwise(const Kernel& kernel, PlaneId plane, Direction start, Direction a,
+                              Direction b) {
+  const int in_a = quarter(kernel, plane, start, a), in_b = quarter(kernel, plane, start, b);
+  if (in_a != in_b) return in_a < in_b;
+  return turn(kernel, plane, a, b) == Sign::positive;
+}
+
+}  // namespace sectile

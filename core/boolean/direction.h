@@ -1,0 +1,42 @@
+// Directions within the plane of a face, and the sectors of its corners (paper, figure 15).
+#pragma once
+
+#include "boolean/patch.h"
+#include "geometry/kernel.h"
+
+namespace sectile {
+
+/// In a plane with normal n: the direction sense · (n × normal(across)), along the line in which
+/// the plane `across` cuts it.
+struct Direction {
+  PlaneId across;
+  Sign sense = Sign::positive;
+  Direction operator-() const { return {across, -sense}; }
+};
+
+/// Positive: b is less than half a turn counter-clockwise of a, seen against the plane's normal.
+inline Sign turn(const Kernel& kernel, PlaneId plane, Direction a, Direction b) {
+  return a.sense * b.sense * kernel.det(plane, a.across, b.across);
+}
+/// For directions without a turn: do they agree (or are they opposite)?
+bool same_way(const Kernel& kernel, PlaneId plane, Direction a, Direction b);
+
+/// The direction in which a half-edge runs, within the plane of its face.
+Direction direction_of(const Kernel& kernel, const Patch& patch, HalfEdgeId h);
+
+enum class Within : std::uint8_t { outside, inside, along_first, along_last };
+
+/// Where a direction lies relative to the sector that reaches counter-clockwise from `first` to
+/// `last`; equal bounds mean a full turn.
+Within within_sector(const Kernel& kernel, PlaneId plane, Direction d, Direction first,
+                     Direction last);
+
+/// The same for the corner from which h leaves.
+Within within_corner(const Kernel& kernel, const Patch& patch, HalfEdgeId h, Direction d);
+
+/// Does a come before b on the way counter-clockwise from `start`? All three differ in direction,
+/// except that a and b may be equal to the start.
+bool before_counter_clockwise(const Kernel& kernel, PlaneId plane, Direction start, Direction a,
+                              Direction b);
+
+}  // namespace sectile

@@ -1,0 +1,64 @@
+#include "boolean/face_location.h"
+
+#include "boolean/ray_count.h"
+
+namespace sectile {
+namespace {
+
+double on_axis(const Vec3& p, int axis) {
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+// A triangle's third corner tells the inner side of each edge.
+Entity locate_in_triangle(const Kernel& kernel, const Patch& patch, HalfEdgeId first,
+                          const Probe& point) {
+  const Brep& brep = patch.brep;
+  Entity on;
+  int touched = 0;
+  HalfEdgeId h = first;
+  for (int i = 0; i < 3; ++i, h = brep.next_of(h)) {
+    const PlaneId plane = patch.side(h);
+    const Sign sign = point.side(plane);
+    if (sign == Sign::zero) {
+      // On two of the three lines: on the corner between them.
+      if (++touched == 1)
+        on = Brep::edge_of(h);
+      else if (i == 2 && on == Entity(Brep::edge_of(first)))
+        on = brep.from(first);
+      else
+        on = brep.from(h);
+      continue;
+    }
+    if (sign != kernel.side(brep.point_of(brep.from(brep.prev_of(h))), plane)) return {};
+  }
+  return touched > 0 ? on : Entity(brep.face_of(first));
+}
+
+}  // namespace
+
+Entity locate(const Kernel& kernel, const Patch& patch, FaceId face, const Probe& point) {
+  if (patch.unbounded) return face;
+  const Brep& brep = patch.brep;
+  const LoopId outer = brep.outer_loop[face.value()];
+  const HalfEdgeId first = brep.loop_half_edge[outer.value()];
+  if (!brep.next_loop[outer.value()].valid() &&
+      brep.next_of(brep.next_of(brep.next_of(first))) == first)
+    return locate_in_triangle(kernel, patch, first, point);
+
+  RayCount count(kernel, patch, patch.plane(face), point);
+  if (const BoxTree* tree = patch.half_edge_tree[face.value()].get()) {
+    const int i = count.i(), j = count.j();
+    const double at_i = on_axis(point.position(), i), at_j = on_axis(point.position(), j);
+    const auto meets = [&](const Box& b) {
+      return b.low[j] <= at_j && at_j <= b.high[j] && b.high[i] >= at_i;
+    };
+    tree->query(meets,
+                [&](std::uint32_t item) { count.add(patch.tree_half_edges[face.value()][item]); });
+  } else {
+    for_each_in_face(brep, face, [&](HalfEdgeId h) { count.add(h); });
+  }
+  if (!count.touched().is_nothing()) return count.touched();
+  return count.odd() ? Entity(face) : Entity();
+}
+
+}  // namespace sectile

@@ -1,0 +1,36 @@
+#include "boolean/line.h"
+
+namespace sectile {
+
+std::pair<PlaneId, PlaneId> line_planes(const Patch& patch, HalfEdgeId h) {
+  const FaceId f = patch.brep.face_of(h);
+  if (patch.is_real(f)) return {patch.plane(f), patch.side(h)};
+  const HalfEdgeId back = Brep::twin(h);
+  return {patch.plane(patch.brep.face_of(back)), patch.side(back)};
+}
+
+Construction edge_plane_construction(const Workspace& w, int s, HalfEdgeId h, PlaneId plane) {
+  const Brep& brep = w.patch[s].brep;
+  const Geometry& g = w.geometry;
+  const auto [a, b] = line_planes(w.patch[s], h);
+  Construction how{a, b, plane, PointId(), PointId()};
+  const PointId ends[2] = {brep.point_of(brep.from(h)), brep.point_of(brep.to(h))};
+  if (g.is_explicit(ends[0]) && g.is_explicit(ends[1])) {
+    how.line_from = ends[0];
+    how.line_to = ends[1];
+    return how;
+  }
+  // A piece of an input edge: an end that was made by cutting it still knows the whole.
+  for (const PointId p : ends) {
+    if (g.is_explicit(p)) continue;
+    const Construction& known = g.construction(p);
+    if (!known.line_from.valid()) continue;
+    if ((known.a == a && known.b == b) || (known.a == b && known.b == a)) {
+      how.line_from = known.line_from;
+      how.line_to = known.line_to;
+    }
+  }
+  return how;
+}
+
+}  // namespace sectile

@@ -1,0 +1,103 @@
+#include "boolean/null_edges.h"
+
+#include "sectile/errors.h"
+#include "topology/euler.h"
+
+namespace sectile {
+namespace {
+
+class SiteSplitter {
+ public:
+  SiteSplitter(Workspace& w, Site& site)
+      : w_(w), site_(site), brep_(w.patch[site.solid].brep), euler_(brep_) {}
+
+  void run() {
+    if (site_.entity.is_face())
+      split_face();
+    else
+      split_vertex();
+    for (std::uint32_t i = 0; i < site_.end_count; ++i) {
+      CutEnd& end = end_of(i);
+      if (!end.out.valid()) end.out = brep_.next_of(chain_end_[i]);
+    }
+  }
+
+ private:
+  CutEnd& end_of(std::uint32_t i) { return w_.cut_ends[site_.first_end + i]; }
+
+  // The first null edge is an inner loop of the face; further ones extend it.
+  void split_face() {
+    const HalfEdgeId out = euler_.mevvr(site_.entity.face(), w_.point(site_.place));
+    site_.vertex = brep_.from(out);
+    adopt(out);
+    extend_chain(out, site_.end_count);
+  }
+
+  // The last cut in counter-clockwise order comes before all other edges: what lies between it and
+  // the first one stays with the old vertex.
+  void split_vertex() {
+    const std::uint32_t k = site_.end_count;
+    if (k == 1) {
+      end_of(0).first = end_of(0).out = end_of(0).corner;
+      return;
+    }
+    std::vector<HalfEdgeId> after(k);  // the edge counter-clockwise of each cut
+    for (std::uint32_t i = 0; i < k; ++i) after[i] = brep_.around(end_of(i).corner);
+    const HalfEdgeId stays = after[k - 1];
+    HalfEdgeId end = stays, first_out;
+    chain_end_.resize(k);
+    for (std::uint32_t i = 0; i + 1 < k; ++i) {
+      // The run after cut i and all further ones move on.
+      const bool moves = end_of(i).corner != end_of(k - 1).corner;
+      const HalfEdgeId out = euler_.mev(moves ? after[i] : end, end);
+      adopt(out);
+      if (i == 0) first_out = out;
+      end = Brep::twin(out);
+      end_of(i).first = chain_end_[i] = end;
+      last_out_ = out;
+    }
+    end_of(k - 1).first = first_out;
+    chain_end_[k - 1] = last_out_;
+  }
+
+  // `out` is the first null edge, in a loop of its own. Cut 0 faces its twin; the last cut faces
+  // the whole chain.
+  void extend_chain(HalfEdgeId out, std::uint32_t k) {
+    chain_end_.resize(k);
+    last_out_ = out;
+    HalfEdgeId end = Brep::twin(out);
+    end_of(0).first = chain_end_[0] = k == 1 ? out : end;
+    for (std::uint32_t i = 1; i + 1 < k; ++i) {
+      last_out_ = euler_.mev(end, end);
+      adopt(last_out_);
+      end = Brep::twin(last_out_);
+      end_of(i).first = chain_end_[i] = end;
+    }
+    if (k > 1) {
+      end_of(k - 1).first = out;
+      chain_end_[k - 1] = last_out_;
+    }
+  }
+
+  void adopt(HalfEdgeId made) {
+    Patch& patch = w_.patch[site_.solid];
+    patch.side_plane.resize(brep_.half_edge_count());
+    patch.half_edge_in_solid.resize(brep_.half_edge_count());
+    w_.null_edges.push_back({site_.solid, Brep::edge_of(made)});
+  }
+
+  Workspace& w_;
+  Site& site_;
+  Brep& brep_;
+  Euler euler_;
+  HalfEdgeId last_out_;
+  std::vector<HalfEdgeId> chain_end_;  // per cut: the last null half-edge of its chain
+};
+
+}  // namespace
+
+void insert_null_edges(Workspace& w) {
+  for (Site& site : w.sites) SiteSplitter(w, site).run();
+}
+
+}  // namespace sectile

@@ -1,0 +1,65 @@
+// The part of an operand that may meet the other one, loaded into the workspace.
+//
+// What is not loaded is represented by faces of kind `rest`, so that the patch is a closed
+// structure at all times. A solid of which much is touched is loaded whole.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "search/box_tree.h"
+#include "topology/solid_data.h"
+
+namespace sectile {
+
+struct Patch {
+  Brep brep;
+  const SolidData* solid = nullptr;  ///< none for a half-space
+
+  /// Per loaded face: the operand's face.
+  std::vector<FaceId> face_in_solid;
+  /// Per face: the loaded face of which it is a part.
+  std::vector<FaceId> root;
+  /// Per half-edge of an open end (in a rest face): the operand's half-edge; otherwise invalid.
+  std::vector<HalfEdgeId> half_edge_in_solid;
+  /// Per half-edge: a plane through it that is not parallel to its face's plane.
+  std::vector<PlaneId> side_plane;
+  /// Per edge: does it lie between coplanar faces?
+  std::vector<std::uint8_t> flat;
+  /// Per loaded face with many corners: a tree over its half-edges.
+  std::vector<std::unique_ptr<BoxTree>> half_edge_tree;
+  std::vector<std::vector<HalfEdgeId>> tree_half_edges;
+  std::vector<Box> face_boxes;
+
+  std::size_t loaded_faces = 0, loaded_edges = 0, loaded_vertices = 0;
+  bool whole = false;  ///< all faces of the operand are loaded
+  /// The half-space's face has no boundary and reaches to infinity.
+  bool unbounded = false;
+
+  bool is_real(FaceId f) const { return brep.kind[f.value()] == FaceKind::real; }
+  PlaneId plane(FaceId f) const { return brep.plane[f.value()]; }
+  PlaneId side(HalfEdgeId h) const { return side_plane[h.value()]; }
+  bool is_flat(EdgeId e) const { return flat[e.value()] != 0; }
+  /// The face that speaks for an edge or vertex when pairs of faces are enumerated.
+  FaceId owner(EdgeId e) const {
+    const FaceId f = brep.face_of(Brep::half_edge(e, 0));
+    return is_real(f) ? f : brep.face_of(Brep::half_edge(e, 1));
+  }
+  FaceId owner(VertexId v) const { return brep.face_of(brep.vertex_half_edge[v.value()]); }
+};
+
+/// Loads the given faces (ascending) of a solid; its points and planes are added to `geometry`.
+Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry);
+
+/// Loads a point; it may become a second one at the same place.
+PointId load_point(const Geometry& from, PointId point, Geometry& to);
+
+/// The boundary of a half-space: one face without boundary. The normal points out of it.
+Patch half_space_patch(PlaneId plane);
+
+/// Fills flat, side_plane, boxes and trees; needs the kernel for the workspace's geometry, which
+/// may be given further planes.
+class Kernel;
+void complete_patch(Patch& patch, Geometry& geometry, Kernel& kernel);
+
+}  // namespace sectile

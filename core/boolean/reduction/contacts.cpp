@@ -1,0 +1,262 @@
+// Steps (1) to (8) of section 5 of the paper: each edge and vertex of one solid against each face
+// of the other that comes near it, once.
+#include <algorithm>
+
+#include "boolean/collect.h"
+#include "boolean/face_location.h"
+#include "boolean/line.h"
+#include "boolean/reduction/contact_table.h"
+
+namespace sectile {
+namespace {
+
+// The half-edges of a loop or face whose boxes meet a box, or all of a small face.
+bool near_half_edges(const Patch& patch, FaceId face, const Box& box,
+                     std::vector<SidedHalfEdge>& out) {
+  if (const BoxTree* tree = patch.half_edge_tree[face.value()].get()) {
+    tree->query([&](const Box& b) { return b.overlaps(box); },
+                [&](std::uint32_t item) {
+                  out.push_back({patch.tree_half_edges[face.value()][item], {}, {}});
+                });
+    return false;
+  }
+  for_each_in_face(patch.brep, face, [&](HalfEdgeId h) { out.push_back({h, {}, {}}); });
+  return true;
+}
+
+struct PairOutput {
+  std::vector<Hit> hits[2];
+  std::vector<InPlane> in_plane[2];
+  std::vector<std::pair<EdgeId, EdgeId>> flat_crossings;
+  std::vector<PairOfFaces> pairs;
+  std::vector<SidedHalfEdge> sided[2];  // scratch
+};
+
+class PairTest {
+ public:
+  PairTest(const Workspace& w, PairOutput& out) : w_(w), kernel_(w.tests()), out_(out) {}
+
+  void operator()(FaceId a, FaceId b) {
+    auto& sided = out_.sided;
+    sided[0].clear();
+    sided[1].clear();
+    if (!sided_half_edges(w_, 0, a, b, sided[0]) || !sided_half_edges(w_, 1, b, a, sided[1]))
+      return;
+    const bool coplanar = kernel_.coplanar(w_.patch[0].plane(a), w_.patch[1].plane(b));
+    out_.pairs.push_back({{a, b}, coplanar});
+    pierce(0, a, b);
+    pierce(1, b, a);
+    if (coplanar) cross_flat_edges(a, b);
+  }
+
+ private:
+  // Edges and vertices that this face of solid s speaks for, against the other face.
+  void pierce(int s, FaceId face, FaceId other) {
+    const Patch& patch = w_.patch[s];
+    for (const SidedHalfEdge& i : out_.sided[s]) {
+      const VertexId v = patch.brep.from(i.h);
+      if (i.from == Sign::zero && patch.owner(v) == face &&
+          patch.brep.vertex_half_edge[v.value()] == i.h)
+        record(s, v, other, Probe(kernel_, patch.brep.point_of(v)));
+      const EdgeId e = Brep::edge_of(i.h);
+      if (patch.owner(e) != face) continue;
+      if (i.from * i.to == Sign::negative)
+        record(s, e, other, edge_probe(s, i.h, other));
+      else if (i.from == Sign::zero && i.to == Sign::zero)
+        out_.in_plane[s].push_back({e, other});
+    }
+  }
+
+  Probe edge_probe(int s, HalfEdgeId h, FaceId other) const {
+    const Brep& brep = w_.patch[s].brep;
+    return Probe(kernel_, brep.point_of(brep.from(h)), brep.point_of(brep.to(h)),
+                 edge_plane_construction(w_, s, h, w_.patch[1 - s].plane(other)));
+  }
+
+  void record(int s, Entity piercer, FaceId other, const Probe& probe) {
+    const Entity found = locate(kernel_, w_.patch[1 - s], other, probe);
+    if (!found.is_nothing()) out_.hits[s].push_back({piercer, other, found});
+  }
+
+  // Two edges between coplanar faces in one plane: no face is crossed there, so the edges are
+  // tested against each other.
+  void cross_flat_edges(FaceId a, FaceId b) {
+    for (const SidedHalfEdge& i : out_.sided[0]) {
+      const EdgeId e = Brep::edge_of(i.h);
+      if (!w_.patch[0].is_flat(e) || w_.patch[0].owner(e) != a) continue;
+      for (const SidedHalfEdge& j : out_.sided[1]) {
+        const EdgeId f = Brep::edge_of(j.h);
+        if (!w_.patch[1].is_flat(f) || w_.patch[1].owner(f) != b) continue;
+        if (ends_apart(0, i.h, w_.patch[1].side(j.h)) && ends_apart(1, j.h, w_.patch[0].side(i.h)))
+          out_.flat_crossings.push_back({e, f});
+      }
+    }
+  }
+
+  bool ends_apart(int s, HalfEdgeId h, PlaneId plane) const {
+    const Brep& brep = w_.patch[s].brep;
+    return kernel_.side(brep.point_of(brep.from(h)), plane) *
+               kernel_.side(brep.point_of(brep.to(h)), plane) ==
+           Sign::negative;
+  }
+
+  const Workspace& w_;
+  const Kernel& kernel_;
+  PairOutput& out_;
+};
+
+// The plane through edge h of solid s that cuts the line of an edge of the other solid.
+PlaneId cutting_plane(const Workspace& w, int s, EdgeId e, PlaneId a, PlaneId b) {
+  const Patch& patch = w.patch[s];
+  for (unsigned side = 0; side < 2; ++side) {
+    const PlaneId plane = patch.side(Brep::half_edge(e, side));
+    if (plane.valid() && w.tests().det(a, b, plane) != Sign::zero) return plane;
+  }
+  return line_planes(patch, Brep::half_edge(e)).first;
+}
+
+Construction contact_construction(const Workspace& w, const Contact& contact) {
+  for (int s = 0; s < 2; ++s) {
+    if (!contact.on[s].is_edge()) continue;
+    const HalfEdgeId h = Brep::half_edge(contact.on[s].edge());
+    const Entity other = contact.on[1 - s];
+    if (other.is_face())
+      return edge_plane_construction(w, s, h, w.patch[1 - s].plane(other.face()));
+    const auto [a, b] = line_planes(w.patch[s], h);
+    return edge_plane_construction(w, s, h, cutting_plane(w, 1 - s, other.edge(), a, b));
+  }
+  return {};
+}
+
+void make_points(Workspace& w) {
+  struct Made {
+    Construction how;
+    Vec3 position;
+    bool is_explicit = false;
+  };
+  std::vector<Made> made(w.contacts.size());
+  collect<int>(w.contacts.size(), 64, [&](std::size_t i, int&) {
+    Contact& c = w.contacts[i];
+    PointId known;
+    for (int s = 0; s < 2; ++s) {
+      if (!c.on[s].is_vertex()) continue;
+      const PointId p = w.patch[s].brep.point_of(c.on[s].vertex());
+      if (!known.valid() || w.geometry.is_explicit(p)) known = p;
+    }
+    c.point = known;
+    if (known.valid()) return;
+    made[i].how = contact_construction(w, c);
+    const ExactPoint exact = w.tests().exact(made[i].how);
+    made[i].position = rounded(exact);
+    made[i].is_explicit = equals(exact, made[i].position);
+  });
+  for (std::size_t i = 0; i < made.size(); ++i)
+    if (!w.contacts[i].point.valid())
+      w.contacts[i].point =
+          add_constructed(w.geometry, made[i].how, made[i].position, made[i].is_explicit);
+  w.kernel->refresh();
+}
+
+void number_contacts(Workspace& w, ContactTable& table) {
+  const auto by_entities = [](const Contact& c) {
+    return std::uint64_t(c.on[0].code()) << 32 | c.on[1].code();
+  };
+  const auto contact_of = [](int s, const Hit& hit) {
+    Contact c;
+    c.on[s] = hit.piercer;
+    c.on[1 - s] = hit.found;
+    return c;
+  };
+  for (int s = 0; s < 2; ++s)
+    for (const Hit& hit : table.hits[s]) w.contacts.push_back(contact_of(s, hit));
+  for (const auto& [e, f] : table.flat_crossings) {
+    Contact c;
+    c.on[0] = e;
+    c.on[1] = f;
+    w.contacts.push_back(c);
+  }
+  std::sort(w.contacts.begin(), w.contacts.end(),
+            [&](const Contact& p, const Contact& q) { return by_entities(p) < by_entities(q); });
+  w.contacts.erase(std::unique(w.contacts.begin(), w.contacts.end(),
+                               [&](const Contact& p, const Contact& q) {
+                                 return by_entities(p) == by_entities(q);
+                               }),
+                   w.contacts.end());
+  for (int s = 0; s < 2; ++s) {
+    std::sort(table.hits[s].begin(), table.hits[s].end(),
+              [](const Hit& p, const Hit& q) { return p.key() < q.key(); });
+    for (Hit& hit : table.hits[s]) {
+      const std::uint64_t key = by_entities(contact_of(s, hit));
+      const auto at = std::lower_bound(
+          w.contacts.begin(), w.contacts.end(), key,
+          [&](const Contact& c, std::uint64_t wanted) { return by_entities(c) < wanted; });
+      hit.contact = static_cast<std::uint32_t>(at - w.contacts.begin());
+    }
+  }
+}
+
+}  // namespace
+
+const Hit* ContactTable::find(int solid, Entity piercer, FaceId face) const {
+  const std::uint64_t key = std::uint64_t(piercer.code()) << 32 | face.value();
+  const auto& table = hits[solid];
+  const auto at = std::lower_bound(table.begin(), table.end(), key,
+                                   [](const Hit& h, std::uint64_t k) { return h.key() < k; });
+  return at != table.end() && at->key() == key ? &*at : nullptr;
+}
+
+bool sided_half_edges(const Workspace& w, int solid, FaceId face, FaceId other,
+                      std::vector<SidedHalfEdge>& out) {
+  const Patch& patch = w.patch[solid];
+  if (patch.unbounded) return true;
+  const Patch& others = w.patch[1 - solid];
+  const PlaneId plane = others.plane(other);
+  const auto side = [&](VertexId v) { return w.tests().side(patch.brep.point_of(v), plane); };
+  const Box everything{
+      {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
+       -std::numeric_limits<float>::infinity()},
+      {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
+       std::numeric_limits<float>::infinity()}};
+  const Box& near = others.unbounded ? everything : others.face_boxes[other.value()];
+  if (!near_half_edges(patch, face, near, out)) {
+    for (SidedHalfEdge& i : out) {
+      i.from = side(patch.brep.from(i.h));
+      i.to = side(patch.brep.to(i.h));
+    }
+    return true;
+  }
+  bool positive = false, negative = false, zero = false;
+  for (SidedHalfEdge& i : out) {
+    i.from = side(patch.brep.from(i.h));
+    (i.from == Sign::zero ? zero : i.from == Sign::positive ? positive : negative) = true;
+  }
+  // Loop by loop, each half-edge ends where the next begins.
+  for (std::size_t i = 0, first = 0; i < out.size(); ++i) {
+    const bool closes =
+        i + 1 == out.size() || patch.brep.loop_of(out[i].h) != patch.brep.loop_of(out[i + 1].h);
+    out[i].to = closes ? out[first].from : out[i + 1].from;
+    if (closes) first = i + 1;
+  }
+  return zero || (positive && negative);
+}
+
+ContactTable find_contacts(Workspace& w, const FacePairs& candidates) {
+  auto outputs = collect<PairOutput>(candidates.size(), 128, [&](std::size_t i, PairOutput& out) {
+    PairTest(w, out)(candidates[i].first, candidates[i].second);
+  });
+  ContactTable table;
+  for (const PairOutput& out : outputs) {
+    for (int s = 0; s < 2; ++s) {
+      append(table.hits[s], out.hits[s]);
+      append(table.in_plane[s], out.in_plane[s]);
+    }
+    append(table.flat_crossings, out.flat_crossings);
+    append(table.pairs, out.pairs);
+  }
+  number_contacts(w, table);
+  make_points(w);
+  find_places(w);
+  return table;
+}
+
+}  // namespace sectile

@@ -1,0 +1,37 @@
+// Step (4) of section 5 of the paper, for any number of vertices and edges at one point.
+#include <algorithm>
+#include <numeric>
+
+#include "boolean/reduction/contact_table.h"
+
+namespace sectile {
+
+void find_places(Workspace& w) {
+  const auto position = [&](std::uint32_t i) -> const Vec3& {
+    return w.geometry.position(w.contacts[i].point);
+  };
+  std::vector<std::uint32_t> order(w.contacts.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    const Vec3 &p = position(i), &q = position(j);
+    if (p.x != q.x) return p.x < q.x;
+    if (p.y != q.y) return p.y < q.y;
+    if (p.z != q.z) return p.z < q.z;
+    return i < j;
+  });
+  // Equal points have equal rounded positions; among these, exact tests decide.
+  w.places.clear();
+  std::size_t first_place = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    Contact& contact = w.contacts[order[i]];
+    if (i == 0 || !(position(order[i]) == position(order[i - 1]))) first_place = w.places.size();
+    std::size_t place = first_place;
+    while (place < w.places.size() && !w.tests().same_point(w.places[place], contact.point))
+      ++place;
+    if (place == w.places.size()) w.places.push_back(contact.point);
+    if (w.geometry.is_explicit(contact.point)) w.places[place] = contact.point;
+    contact.place = static_cast<std::uint32_t>(place);
+  }
+}
+
+}  // namespace sectile

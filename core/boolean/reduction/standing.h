@@ -1,0 +1,35 @@
+// How a direction stands to a face at a point of its closure.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "boolean/direction.h"
+#include "boolean/workspace.h"
+
+namespace sectile {
+
+/// Something of a face's boundary at a place: a corner (the half-edge that leaves it) or a
+/// half-edge that passes through.
+struct BoundaryItem {
+  Entity entity;
+  HalfEdgeId h;
+  friend auto operator<=>(const BoundaryItem&, const BoundaryItem&) = default;
+};
+
+struct Standing {
+  enum class Where : std::uint8_t { outside, inside, along } where = Where::outside;
+  Entity entity;         ///< what the direction leaves from: face, edge or vertex
+  HalfEdgeId half_edge;  ///< along: the half-edge of the face
+};
+
+/// Adds what the entity has of the face's boundary: corners of a vertex, the face's half-edge of an
+/// edge, nothing for the face itself.
+void add_items(const Patch& patch, FaceId face, Entity entity, std::vector<BoundaryItem>& items);
+
+/// The direction d of the face's plane, at a place where the face's boundary has these items (none:
+/// the place is inside the face).
+Standing standing(const Kernel& kernel, const Patch& patch, FaceId face,
+                  std::span<const BoundaryItem> items, Direction d);
+
+}  // namespace sectile

@@ -1,0 +1,17 @@
+// The steps that Booleans, splitting and classification share.
+#pragma once
+
+#include <span>
+
+#include "boolean/reduction/reduction.h"
+
+namespace sectile {
+
+/// Loads the faces that may meet; `pairs` are pairs of loaded faces.
+void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs);
+/// Phases 1 to 5: both boundaries are cut for all wanted operations.
+void cut(Workspace& w, const FacePairs& pairs, std::span<const Operation> wanted);
+/// Phases 6 to 8 for one of the wanted operations.
+Solid assemble(Workspace& w, Operation operation, std::size_t index);
+
+}  // namespace sectile

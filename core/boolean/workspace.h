@@ -1,0 +1,41 @@
+// What one operation works on: the loaded parts of both operands, one geometry, and the records of
+// the phases.
+#pragma once
+
+#include <memory>
+
+#include "boolean/records.h"
+#include "geometry/kernel.h"
+#include "sectile/boolean.h"
+
+namespace sectile {
+
+struct Workspace {
+  explicit Workspace(const BooleanOptions& o) : options(o) {}
+
+  const BooleanOptions& options;
+  Geometry geometry;
+  std::unique_ptr<Kernel> kernel;
+  Patch patch[2];
+
+  // Reduction.
+  std::vector<Contact> contacts;  ///< ascending by entities
+  std::vector<PointId> places;    ///< the point of each place
+  std::vector<SegmentRecord> records;
+
+  // Neighborhoods: what lies around each segment, and the wedges of each wanted result.
+  std::vector<Segment> segments;
+  std::vector<Carrier> carriers;
+  std::vector<HalfPlane> half_planes;
+  std::vector<std::vector<WedgePair>> wedges;  ///< per wanted operation
+
+  // Null edges.
+  std::vector<Site> sites;
+  std::vector<CutEnd> cut_ends;
+  std::vector<std::pair<std::uint8_t, EdgeId>> null_edges;
+
+  const Kernel& tests() const { return *kernel; }
+  PointId point(std::uint32_t place) const { return places[place]; }
+};
+
+}  // namespace sectile

@@ -1,0 +1,52 @@
+// A point that is asked about before it is worth a place in the tables: a point of the geometry, or
+// the crossing of a line between two points with a plane.
+#pragma once
+
+#include <optional>
+
+#include "geometry/kernel.h"
+
+namespace sectile {
+
+class Probe {
+ public:
+  Probe(const Kernel& kernel, PointId point) : kernel_(kernel), point_(point) {}
+  /// The points lie strictly on different sides of plane how.c, on the line how.a ∩ how.b.
+  Probe(const Kernel& kernel, PointId from, PointId to, const Construction& how)
+      : kernel_(kernel),
+        from_(from),
+        to_(to),
+        how_(how),
+        at_from_(kernel.estimate(from, how.c)),
+        at_to_(kernel.estimate(to, how.c)),
+        to_side_(at_to_.decided() ? at_to_.sign() : kernel.side(to, how.c)) {}
+
+  /// Positive: it lies on the side to which the normal points.
+  Sign side(PlaneId plane) const;
+  /// The sign of q - (this point) on one axis.
+  Sign compare(PointId q, int axis) const;
+  /// Rounded to nearest.
+  const Vec3& position() const;
+
+ private:
+  const ExactPoint& exact() const;
+
+  const Kernel& kernel_;
+  PointId point_, from_, to_;
+  Construction how_;
+  Estimate at_from_{}, at_to_{};
+  Sign to_side_ = Sign::zero;
+  mutable std::optional<ExactPoint> exact_;
+  mutable std::optional<Vec3> position_;
+};
+
+/// The rounded position of exact homogeneous coordinates.
+Vec3 rounded(const ExactPoint& point);
+/// Is the point exactly this position?
+bool equals(const ExactPoint& point, const Vec3& position);
+
+/// Adds the point of a construction, as an explicit one if it is three doubles.
+PointId add_constructed(Geometry& geometry, const Construction& how, const Vec3& position,
+                        bool is_explicit);
+
+}  // namespace sectile

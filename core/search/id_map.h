@@ -1,0 +1,50 @@
+// A small open-addressing map from 32-bit ids to 32-bit ids, for loading parts of a solid.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace sectile {
+
+class IdMap {
+ public:
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+  explicit IdMap(std::size_t expected) {
+    std::size_t size = 16;
+    while (size < 2 * expected) size *= 2;
+    slots_.assign(size, {none, none});
+  }
+
+  /// The value for a key, to be set if it is none. Valid until the next call.
+  std::uint32_t& operator[](std::uint32_t key) {
+    if (2 * (used_ + 1) > slots_.size()) grow();
+    Slot& slot = find(key);
+    if (slot.key == none) {
+      slot.key = key;
+      ++used_;
+    }
+    return slot.value;
+  }
+
+ private:
+  struct Slot {
+    std::uint32_t key, value;
+  };
+  Slot& find(std::uint32_t key) {
+    std::size_t i = (key * 0x9E3779B1u) & (slots_.size() - 1);
+    while (slots_[i].key != none && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
+    return slots_[i];
+  }
+  void grow() {
+    std::vector<Slot> old(2 * slots_.size(), Slot{none, none});
+    old.swap(slots_);
+    for (const Slot& slot : old)
+      if (slot.key != none) find(slot.key) = slot;
+  }
+
+  std::vector<Slot> slots_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace sectile
