@@ -36,8 +36,7 @@ std::vector<FaceId> faces_of(const FacePairs& pairs, bool second) {
 
 FaceId loaded_face(const Patch& patch, FaceId face) {
   if (patch.whole) return face;
-  const auto at =
-      std::lower_bound(patch.face_in_solid.begin(), patch.face_in_solid.end(), face);
+  const auto at = std::lower_bound(patch.face_in_solid.begin(), patch.face_in_solid.end(), face);
   return FaceId(static_cast<std::size_t>(at - patch.face_in_solid.begin()));
 }
 

@@ -13,8 +13,14 @@ constexpr std::uint8_t gone = 0, stays = 1, unknown = 2;
 class Spreading {
  public:
   Spreading(Workspace& w, int s, Operation operation, KeptFaces& kept)
-      : w_(w), s_(s), operation_(operation), patch_(w.patch[s]), brep_(patch_.brep),
-        loaded_(kept.loaded[s]), rest_(kept.rest[s]), open_ends_(64) {
+      : w_(w),
+        s_(s),
+        operation_(operation),
+        patch_(w.patch[s]),
+        brep_(patch_.brep),
+        loaded_(kept.loaded[s]),
+        rest_(kept.rest[s]),
+        open_ends_(64) {
     loaded_.assign(brep_.face_count(), unknown);
     if (!patch_.whole) find_rest();
   }
@@ -44,7 +50,8 @@ class Spreading {
   void set(std::vector<std::uint8_t>& labels, std::uint32_t face, std::uint8_t label, bool loaded) {
     std::uint8_t& now = labels[face];
     if (now == label) return;
-    if (now != unknown) throw InternalError("a piece of a boundary is kept by one cut, not by another");
+    if (now != unknown)
+      throw InternalError("a piece of a boundary is kept by one cut, not by another");
     now = label;
     stack_.push_back({face, loaded});
   }
@@ -86,8 +93,11 @@ class Spreading {
       const HalfEdgeId back = Brep::twin(h);
       const FaceId beyond = brep_.face_of(back);
       switch (brep_.kind_of(beyond)) {
-        case FaceKind::real: set_loaded(beyond, label); break;
-        case FaceKind::null: break;
+        case FaceKind::real:
+          set_loaded(beyond, label);
+          break;
+        case FaceKind::null:
+          break;
         case FaceKind::rest:
           set_rest(solid().face_of(patch_.half_edge_in_solid[back.value()]), label);
           break;
@@ -122,8 +132,8 @@ class Spreading {
     for (std::size_t f = 0; f < rest_.size(); ++f) {
       if (rest_[f] != unknown || is_loaded_[f]) continue;
       const HalfEdgeId h = solid().loop_half_edge[solid().outer_loop[f].value()];
-      const PointId p = load_point(patch_.solid->geometry, solid().point_of(solid().from(h)),
-                                   w_.geometry);
+      const PointId p =
+          load_point(patch_.solid->geometry, solid().point_of(solid().from(h)), w_.geometry);
       w_.kernel->refresh();
       set_rest(FaceId(f), label_of(p));
       spread();

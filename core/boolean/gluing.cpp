@@ -20,8 +20,12 @@ class Assembly {
  public:
   Assembly(const Workspace& w, Operation operation, std::span<const WedgePair> wedges,
            const KeptFaces& kept)
-      : w_(w), operation_(operation), kept_(kept), glued_{std::make_shared<SolidData>(), {}},
-        brep_(glued_.data->brep), local_(w.geometry, glued_.data->geometry) {
+      : w_(w),
+        operation_(operation),
+        kept_(kept),
+        glued_{std::make_shared<SolidData>(), {}},
+        brep_(glued_.data->brep),
+        local_(w.geometry, glued_.data->geometry) {
     for (int s = 0; s < 2; ++s) {
       const Patch& patch = w.patch[s];
       partner_[s].resize(patch.brep.half_edge_count(), {0, true, HalfEdgeId()});
@@ -138,7 +142,8 @@ class Assembly {
     const bool turn = reversed(operation_, s);
     const FaceId here(brep_.face_count());
     const PlaneId plane = from.plane[face.value()];
-    brep_.plane.push_back(turn ? copy_of(s, loaded).turned(plane) : copy_of(s, loaded).plane(plane));
+    brep_.plane.push_back(turn ? copy_of(s, loaded).turned(plane)
+                               : copy_of(s, loaded).plane(plane));
     brep_.source.push_back(from.source[face.value()]);
     brep_.outer_loop.push_back(LoopId());
     LoopId last;

@@ -31,14 +31,20 @@ class Joiner {
   }
 
  private:
+  // What follows the chain. A neighbouring cut that is joined first comes between it and what
+  // followed before.
+  HalfEdgeId out(const CutEnd& end) const {
+    return end.last.valid() ? patch_.brep.next_of(end.last) : end.first;
+  }
+
   void join_across(const CutEnd& p, const CutEnd& q) {
     root_ = carrier_.entity.face();
     const PlaneId across = across_plane();
-    const HalfEdgeId forward = euler_.connect(p.first, q.out);
+    const HalfEdgeId forward = euler_.connect(p.first, out(q));
     adopt(forward, across, across);
-    const bool q_empty = q.first == q.out;
+    const bool q_empty = !q.last.valid();
     const HalfEdgeId inner =
-        euler_.mef(p.out, q_empty ? Brep::twin(forward) : q.first, Euler::NewFace::left);
+        euler_.mef(out(p), q_empty ? Brep::twin(forward) : q.first, Euler::NewFace::left);
     adopt(inner, across, across);
     make_null(inner);
     carrier_.forward = forward;
@@ -48,10 +54,10 @@ class Joiner {
   // The existing edge stays with the face on its other side; its even half-edge, which leaves p, is
   // now on the null face.
   void join_beside(const CutEnd& p, const CutEnd& q) {
-    const HalfEdgeId even = p.out;
+    const HalfEdgeId even = out(p);
     root_ = patch_.root[patch_.brep.face_of(even).value()];
     const PlaneId side = patch_.side(even);
-    const HalfEdgeId made = euler_.mef(p.first, q.out, Euler::NewFace::right);
+    const HalfEdgeId made = euler_.mef(p.first, out(q), Euler::NewFace::right);
     adopt(made, side, side);
     make_null(Brep::twin(made));
     (carrier_.along ? carrier_.forward : carrier_.backward) = made;

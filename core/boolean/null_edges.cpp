@@ -16,10 +16,6 @@ class SiteSplitter {
       split_face();
     else
       split_vertex();
-    for (std::uint32_t i = 0; i < site_.end_count; ++i) {
-      CutEnd& end = end_of(i);
-      if (!end.out.valid()) end.out = brep_.next_of(chain_end_[i]);
-    }
   }
 
  private:
@@ -38,14 +34,13 @@ class SiteSplitter {
   void split_vertex() {
     const std::uint32_t k = site_.end_count;
     if (k == 1) {
-      end_of(0).first = end_of(0).out = end_of(0).corner;
+      end_of(0).first = end_of(0).corner;
       return;
     }
     std::vector<HalfEdgeId> after(k);  // the edge counter-clockwise of each cut
     for (std::uint32_t i = 0; i < k; ++i) after[i] = brep_.around(end_of(i).corner);
     const HalfEdgeId stays = after[k - 1];
     HalfEdgeId end = stays, first_out;
-    chain_end_.resize(k);
     for (std::uint32_t i = 0; i + 1 < k; ++i) {
       // The run after cut i and all further ones move on.
       const bool moves = end_of(i).corner != end_of(k - 1).corner;
@@ -53,29 +48,28 @@ class SiteSplitter {
       adopt(out);
       if (i == 0) first_out = out;
       end = Brep::twin(out);
-      end_of(i).first = chain_end_[i] = end;
+      end_of(i).first = end_of(i).last = end;
       last_out_ = out;
     }
     end_of(k - 1).first = first_out;
-    chain_end_[k - 1] = last_out_;
+    end_of(k - 1).last = last_out_;
   }
 
   // `out` is the first null edge, in a loop of its own. Cut 0 faces its twin; the last cut faces
   // the whole chain.
   void extend_chain(HalfEdgeId out, std::uint32_t k) {
-    chain_end_.resize(k);
     last_out_ = out;
     HalfEdgeId end = Brep::twin(out);
-    end_of(0).first = chain_end_[0] = k == 1 ? out : end;
+    end_of(0).first = end_of(0).last = k == 1 ? out : end;
     for (std::uint32_t i = 1; i + 1 < k; ++i) {
       last_out_ = euler_.mev(end, end);
       adopt(last_out_);
       end = Brep::twin(last_out_);
-      end_of(i).first = chain_end_[i] = end;
+      end_of(i).first = end_of(i).last = end;
     }
     if (k > 1) {
       end_of(k - 1).first = out;
-      chain_end_[k - 1] = last_out_;
+      end_of(k - 1).last = last_out_;
     }
   }
 
@@ -91,7 +85,6 @@ class SiteSplitter {
   Brep& brep_;
   Euler euler_;
   HalfEdgeId last_out_;
-  std::vector<HalfEdgeId> chain_end_;  // per cut: the last null half-edge of its chain
 };
 
 }  // namespace

@@ -78,8 +78,8 @@ struct CutEnd {
   std::uint32_t segment, carrier;
   std::uint8_t which;  ///< at place[which] of its segment
   HalfEdgeId corner;   ///< of the patch, in which the cut leaves; invalid within a face
-  HalfEdgeId first,
-      out;  ///< where to attach: start of the chain of null half-edges, and what follows
+  /// The chain of null half-edges to which the cut is attached, or (last invalid) the corner.
+  HalfEdgeId first, last;
 };
 
 }  // namespace sectile

@@ -42,7 +42,30 @@ class Euler {
   /// Gives a loop to another face, as its outer loop or as an inner one.
   void move_loop(LoopId loop, FaceId face, bool outer);
 
+  /// Kill edge and face: the faces on both sides of h become one, h's.
+  void kef(HalfEdgeId h);
+
+  /// Kill edge, make ring: h has one loop on both sides; it falls into two loops of the face.
+  /// Returns the new one, or an invalid id if one of the two would be empty: then, at a dangling
+  /// end, edge and vertex are killed.
+  LoopId kemr(HalfEdgeId h);
+
+  /// Kill edge and vertex: a vertex with just two edges goes, and they become one, that of h, which
+  /// leaves the vertex.
+  void kev(HalfEdgeId h);
+
+  /// Closes the gaps that killed entities leave in the tables, by moving the last ones there.
+  void bury();
+
  private:
+  void drop_edge(EdgeId e);
+  void drop_loop(LoopId l);
+  void unlink_loop(LoopId l);
+  void move_edge(EdgeId from, EdgeId to);
+  void move_face(FaceId from, FaceId to);
+  void move_loop_id(LoopId from, LoopId to);
+  void move_vertex(VertexId from, VertexId to);
+
   HalfEdgeId add_edge(VertexId from, VertexId to);
   void link(HalfEdgeId before, HalfEdgeId after);
   HalfEdgeId cross_link(HalfEdgeId a, HalfEdgeId b);
@@ -52,6 +75,10 @@ class Euler {
   LoopId add_loop(HalfEdgeId member, FaceId face);
 
   Brep& brep_;
+  std::vector<EdgeId> dead_edges_;
+  std::vector<FaceId> dead_faces_;
+  std::vector<LoopId> dead_loops_;
+  std::vector<VertexId> dead_vertices_;
 };
 
 }  // namespace sectile
