@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "primitives/arguments.h"
 #include "primitives/profile.h"
 #include "primitives/soup_builder.h"
@@ -40,7 +42,7 @@ Solid extrude(const Profile& profile, double height) {
     add_walls(soup, bottoms.back(), tops.back());
   }
   soup.add_face(tops);
-  for (Ring& ring : bottoms) ring.assign(ring.rbegin(), ring.rend());
+  for (Ring& ring : bottoms) std::reverse(ring.begin(), ring.end());
   soup.add_face(bottoms);
   return soup.solid();
 }

@@ -11,7 +11,7 @@ namespace sectile {
 
 namespace {
 
-using Ring = std::vector<std::uint32_t>;  // one corner if it lies on the axis
+using Ring = std::vector<std::uint32_t>;  // empty if it is a point on the axis
 
 class Revolution {
  public:
@@ -24,8 +24,13 @@ class Revolution {
     for (const Vec2& p : loop) rings.push_back(add_ring(p));
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const std::size_t j = (i + 1) % loop.size();
+      if (rings[i].empty() && rings[j].empty()) continue;
       if (loop[i].y == loop[j].y)
         add_disc(rings[i], rings[j]);
+      else if (rings[i].empty())
+        add_fan(loop[i].y, Ring(rings[j].rbegin(), rings[j].rend()));
+      else if (rings[j].empty())
+        add_fan(loop[j].y, rings[i]);
       else
         add_band(rings[i], rings[j], loop[i].x > loop[j].x);
     }
@@ -35,37 +40,32 @@ class Revolution {
 
  private:
   Ring add_ring(const Vec2& p) {
-    if (p.x == 0) return {soup_.add_position({0, 0, p.y})};
     Ring ring;
+    if (p.x == 0) return ring;
     for (const Vec2& direction : circle_)
       ring.push_back(soup_.add_position({p.x * direction.x, p.x * direction.y, p.y}));
     return ring;
   }
 
-  static bool on_axis(const Ring& ring) { return ring.size() == 1; }
-
   /// A face at one height: a polygon, with a hole if it does not reach the axis.
   void add_disc(const Ring& a, const Ring& b) {
-    if (on_axis(a) && on_axis(b)) return;
     const Ring reversed(b.rbegin(), b.rend());
-    if (on_axis(b)) return soup_.add_face(a);
-    if (on_axis(a)) return soup_.add_face(reversed);
-    const bool top = radius(a) > radius(b);
+    if (b.empty()) return soup_.add_face(a);
+    if (a.empty()) return soup_.add_face(reversed);
+    const bool top = soup_.position(a[0]).x > soup_.position(b[0]).x;
     soup_.add_face(std::array{top ? a : reversed, top ? reversed : a});
   }
 
-  double radius(const Ring& ring) const { return soup_.position(ring[0]).x; }
+  void add_fan(double height, const Ring& ring) {
+    const std::uint32_t apex = soup_.add_position({0, 0, height});
+    for (std::uint32_t k = 0; k < segments_; ++k)
+      soup_.add_face({ring[k], ring[k + 1 == segments_ ? 0 : k + 1], apex});
+  }
 
   void add_band(const Ring& a, const Ring& b, bool narrowing) {
-    if (on_axis(a) && on_axis(b)) return;
     for (std::uint32_t k = 0; k < segments_; ++k) {
       const std::uint32_t l = k + 1 == segments_ ? 0 : k + 1;
-      if (on_axis(a))
-        soup_.add_face({a[0], b[l], b[k]});
-      else if (on_axis(b))
-        soup_.add_face({a[k], a[l], b[0]});
-      else
-        add_quadrilateral(a[k], a[l], b[l], b[k], narrowing != odd_octant(k));
+      add_quadrilateral(a[k], a[l], b[l], b[k], narrowing != odd_octant(k));
     }
   }
 
