@@ -280,6 +280,12 @@ void Kernel::refresh() {
   grow(exact_points_, geometry_.positions.size());
 }
 
+void Kernel::refresh_all() {
+  values_.clear();
+  for (auto& slot : exact_planes_) delete slot.exchange(nullptr, std::memory_order_relaxed);
+  refresh();
+}
+
 const ExactPlane& Kernel::exact(PlaneId s) const {
   auto& slot = exact_planes_[s.value()];
   if (const ExactPlane* known = slot.load(std::memory_order_acquire)) return *known;

@@ -56,6 +56,8 @@ class Kernel {
 
   /// Must be called after planes or points were added to the geometry.
   void refresh();
+  /// Must be called after planes were changed.
+  void refresh_all();
   const Geometry& geometry() const { return geometry_; }
   const PlaneValue& value(PlaneId s) const { return values_[s.value()]; }
 

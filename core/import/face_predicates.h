@@ -1,0 +1,38 @@
+// What the triangulation asks, answered for points seen along an axis.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "geometry/kernel.h"
+
+namespace sectile {
+
+class FacePredicates {
+ public:
+  /// Seen against the axis, or along it (from behind).
+  FacePredicates(const Kernel& kernel, int axis, bool behind, std::span<const PointId> corners)
+      : kernel_(kernel),
+        axis_(axis),
+        u_((axis + (behind ? 2 : 1)) % 3),
+        v_((axis + (behind ? 1 : 2)) % 3),
+        behind_(behind),
+        corners_(corners) {}
+
+  Sign compare(std::uint32_t i, std::uint32_t j) const {
+    const Sign first = kernel_.compare(corners_[i], corners_[j], u_);
+    return first != Sign::zero ? first : kernel_.compare(corners_[i], corners_[j], v_);
+  }
+  Sign turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+    const Sign sign = kernel_.turn(corners_[i], corners_[j], corners_[k], axis_);
+    return behind_ ? -sign : sign;
+  }
+
+ private:
+  const Kernel& kernel_;
+  int axis_, u_, v_;
+  bool behind_;
+  std::span<const PointId> corners_;
+};
+
+}  // namespace sectile

@@ -1,0 +1,222 @@
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "import/polygons.h"
+#include "sectile/errors.h"
+
+namespace sectile {
+namespace {
+
+std::uint32_t next_origin() {
+  static std::atomic<std::uint32_t> last{0};
+  return ++last;
+}
+
+class BrepBuilder {
+ public:
+  BrepBuilder(const Polygons& polygons, const std::vector<std::uint32_t>& mate, Brep& brep)
+      : polygons_(polygons), mate_(mate), brep_(brep), half_edge_(polygons.corners.size()) {}
+
+  void run(std::uint32_t origin) {
+    number_half_edges();
+    add_faces(origin);
+    add_vertices();
+  }
+
+ private:
+  void number_half_edges() {
+    std::uint32_t next = 0;
+    for (std::uint32_t i = 0; i < half_edge_.size(); ++i) {
+      if (half_edge_[i].valid()) continue;
+      half_edge_[i] = HalfEdgeId(next);
+      half_edge_[mate_[i]] = HalfEdgeId(next + 1);
+      next += 2;
+    }
+    brep_.origin.resize(next);
+    brep_.next.resize(next);
+    brep_.prev.resize(next);
+    brep_.loop.resize(next);
+    start_.resize(next);
+  }
+
+  void add_faces(std::uint32_t origin) {
+    const std::size_t faces = polygons_.face_count(), loops = polygons_.loop_end.size();
+    brep_.outer_loop.resize(faces);
+    brep_.plane.resize(faces);
+    brep_.source.resize(faces);
+    brep_.loop_half_edge.resize(loops);
+    brep_.loop_face.resize(loops);
+    brep_.next_loop.resize(loops);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces, 1024), [&](const auto& range) {
+      for (std::size_t f = range.begin(); f < range.end(); ++f) add_face(FaceId(f), origin);
+    });
+  }
+
+  void add_face(FaceId f, std::uint32_t origin) {
+    const std::uint32_t first = polygons_.first_loop(f.value());
+    brep_.outer_loop[f.value()] = LoopId(first);
+    brep_.plane[f.value()] = PlaneId(f.value());
+    brep_.source[f.value()] = {origin, polygons_.source[f.value()]};
+    for (std::uint32_t l = first; l < polygons_.face_end[f.value()]; ++l) {
+      brep_.loop_face[l] = f;
+      if (l + 1 < polygons_.face_end[f.value()]) brep_.next_loop[l] = LoopId(l + 1);
+      const std::uint32_t begin = polygons_.loop_begin(l), end = polygons_.loop_end[l];
+      brep_.loop_half_edge[l] = half_edge_[begin];
+      for (std::uint32_t i = begin; i < end; ++i) {
+        const HalfEdgeId h = half_edge_[i], after = half_edge_[i + 1 < end ? i + 1 : begin];
+        brep_.next[h.value()] = after;
+        brep_.prev[after.value()] = h;
+        brep_.loop[h.value()] = LoopId(l);
+        start_[h.value()] = polygons_.corners[i];
+      }
+    }
+  }
+
+  // One vertex for each cycle of edges.
+  void add_vertices() {
+    for (std::size_t i = 0; i < brep_.half_edge_count(); ++i) {
+      if (brep_.origin[i].valid()) continue;
+      const HalfEdgeId first{i};
+      const VertexId v(brep_.vertex_count());
+      brep_.point.push_back(start_[i]);
+      brep_.vertex_half_edge.push_back(first);
+      HalfEdgeId h = first;
+      do {
+        brep_.origin[h.value()] = v;
+        h = brep_.around(h);
+      } while (h != first);
+    }
+  }
+
+  const Polygons& polygons_;
+  const std::vector<std::uint32_t>& mate_;
+  Brep& brep_;
+  std::vector<HalfEdgeId> half_edge_;  // per corner
+  std::vector<PointId> start_;         // per half-edge
+};
+
+// Edges between coplanar faces need a plane that pins them down.
+void pin_flat_edges(Brep& brep, Geometry& geometry, const Kernel& kernel) {
+  std::vector<std::uint8_t> flat(brep.edge_count(), 0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, flat.size(), 2048), [&](const auto& range) {
+    for (std::size_t e = range.begin(); e < range.end(); ++e) {
+      const HalfEdgeId h = Brep::half_edge(EdgeId(e));
+      flat[e] = kernel.parallel(brep.plane_of(h), brep.plane_of(Brep::twin(h)));
+    }
+  });
+  for (std::size_t e = 0; e < flat.size(); ++e) {
+    if (!flat[e]) continue;
+    const HalfEdgeId h = Brep::half_edge(EdgeId(e));
+    const PlaneId plane = brep.plane_of(h);
+    const PointId from = brep.point_of(brep.from(h)), to = brep.point_of(brep.to(h));
+    if (!kernel.same_direction(plane, brep.plane_of(Brep::twin(h)))) {
+      const std::uint32_t f = brep.source[brep.face_of(h).value()].face;
+      const std::uint32_t g = brep.source[brep.face_of(Brep::twin(h)).value()].face;
+      throw InvalidSolid(InvalidSolid::Reason::self_intersecting,
+                         "faces " + std::to_string(f) + " and " + std::to_string(g) +
+                             " are folded onto each other along the edge from " +
+                             in_words(geometry.position(from)) + " to " +
+                             in_words(geometry.position(to)),
+                         f);
+    }
+    if (brep.edge_plane.empty()) brep.edge_plane.resize(brep.edge_count());
+    brep.edge_plane[e] =
+        geometry.add_plane(PlaneDefinition::along_axis(from, to, kernel.main_axis(plane)));
+  }
+}
+
+// Six times the volume: in doubles with an error bound, exactly only if that leaves the sign open.
+class SignedVolume {
+ public:
+  SignedVolume(const Brep& brep, const Geometry& geometry) : brep_(brep), geometry_(geometry) {}
+
+  Sign sign() const {
+    double sum = 0, size = 0, reach = 0;
+    const Vec3 o = geometry_.position(brep_.point[0]);
+    for (const Vec3& p : geometry_.positions)
+      reach = std::max({reach, std::abs(p.x - o.x), std::abs(p.y - o.y), std::abs(p.z - o.z)});
+    std::size_t terms = 0;
+    visit([&](const Vec3& a, const Vec3& b, const Vec3& c) {
+      const double x = a.x - o.x, y = a.y - o.y, z = a.z - o.z;
+      const double u[3] = {b.x - o.x, b.y - o.y, b.z - o.z},
+                   v[3] = {c.x - o.x, c.y - o.y, c.z - o.z};
+      const double term = x * (u[1] * v[2] - u[2] * v[1]) + y * (u[2] * v[0] - u[0] * v[2]) +
+                          z * (u[0] * v[1] - u[1] * v[0]);
+      sum += term;
+      size += std::abs(term);
+      ++terms;
+    });
+    const double count = static_cast<double>(terms);
+    const double error = 0x1p-50 * count * (size + reach * reach * reach) + 0x1p-1000;
+    if (std::abs(sum) > error) return sign_of(sum);
+    Dyadic exact;
+    visit([&](const Vec3& a, const Vec3& b, const Vec3& c) {
+      const Dyadic bx(b.x), by(b.y), bz(b.z), cx(c.x), cy(c.y), cz(c.z);
+      exact = exact + Dyadic(a.x) * (by * cz - bz * cy) + Dyadic(a.y) * (bz * cx - bx * cz) +
+              Dyadic(a.z) * (bx * cy - by * cx);
+    });
+    return exact.sign();
+  }
+
+ private:
+  // All loops as fans; the fans of inner loops take away.
+  template <class Visit>
+  void visit(const Visit& visit_triangle) const {
+    for (const HalfEdgeId first : brep_.loop_half_edge) {
+      const Vec3& a = position(first);
+      for (HalfEdgeId h = brep_.next_of(first); brep_.next_of(h) != first; h = brep_.next_of(h))
+        visit_triangle(a, position(h), position(brep_.next_of(h)));
+    }
+  }
+  const Vec3& position(HalfEdgeId h) const {
+    return geometry_.position(brep_.point_of(brep_.from(h)));
+  }
+
+  const Brep& brep_;
+  const Geometry& geometry_;
+};
+
+void check_orientation(const Brep& brep, const Geometry& geometry) {
+  switch (SignedVolume(brep, geometry).sign()) {
+    case Sign::positive:
+      return;
+    case Sign::negative:
+      throw InvalidSolid(InvalidSolid::Reason::inside_out,
+                         "the surface is inside out; turn all faces around", 0);
+    case Sign::zero:
+      break;
+  }
+  throw InvalidSolid(InvalidSolid::Reason::inconsistent, "the surface encloses no material", 0);
+}
+
+}  // namespace
+
+std::shared_ptr<const SolidData> import_soup(const Soup& soup) {
+  auto data = std::make_shared<SolidData>();
+  Polygons polygons = read_polygons(soup, data->geometry);
+  Kernel kernel(data->geometry);
+  remove_flat_faces(polygons, kernel);
+  if (polygons.face_count() == 0) return data;
+  find_face_planes(polygons, data->geometry, kernel);
+  if (polygons.face_count() == 0) return data;
+  const std::vector<std::uint32_t> mate = match_edges(polygons, kernel);
+  data->origin = next_origin();
+  BrepBuilder(polygons, mate, data->brep).run(data->origin);
+  pin_flat_edges(data->brep, data->geometry, kernel);
+  check_orientation(data->brep, data->geometry);
+  return data;
+}
+
+std::shared_ptr<const SolidData> import_mesh(const PolygonMesh& mesh) {
+  Soup soup;
+  soup.positions = mesh.positions;
+  soup.face_loops.assign(mesh.face_sizes.size(), 1);
+  soup.loop_sizes = mesh.face_sizes;
+  soup.indices = mesh.indices;
+  return import_soup(soup);
+}
+
+}  // namespace sectile

@@ -1,0 +1,188 @@
+#include <algorithm>
+
+#include "import/polygons.h"
+#include "sectile/errors.h"
+
+namespace sectile {
+namespace {
+
+// A half-edge on the line between two points, ascending by the higher one.
+struct LineEntry {
+  PointId high;
+  std::uint32_t corner;
+  bool forward;  // runs from the lower to the higher point
+};
+
+// All half-edges, in one bucket for the lower end point of each.
+class Buckets {
+ public:
+  explicit Buckets(const Polygons& polygons) {
+    const std::size_t count = polygons.corners.size();
+    std::uint32_t points = 0;
+    for (const PointId p : polygons.corners) points = std::max(points, p.value() + 1);
+    end_.assign(points + 1, 0);
+    visit(polygons,
+          [&](std::uint32_t, PointId a, PointId b) { ++end_[std::min(a, b).value() + 1]; });
+    for (std::uint32_t p = 0; p < points; ++p) end_[p + 1] += end_[p];
+    entries_.resize(count);
+    std::vector<std::uint32_t> at(end_.begin(), end_.end() - 1);
+    visit(polygons, [&](std::uint32_t corner, PointId a, PointId b) {
+      entries_[at[std::min(a, b).value()]++] = {std::max(a, b), corner, a < b};
+    });
+  }
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(end_.size() - 1); }
+  std::span<LineEntry> operator[](std::uint32_t p) {
+    return std::span(entries_).subspan(end_[p], end_[p + 1] - end_[p]);
+  }
+
+ private:
+  template <class Visit>
+  static void visit(const Polygons& polygons, const Visit& visit_edge) {
+    for (std::uint32_t l = 0; l < polygons.loop_end.size(); ++l) {
+      const std::uint32_t begin = polygons.loop_begin(l), end = polygons.loop_end[l];
+      for (std::uint32_t i = begin; i < end; ++i)
+        visit_edge(i, polygons.corners[i], polygons.corners[i + 1 < end ? i + 1 : begin]);
+    }
+  }
+
+  std::vector<std::uint32_t> end_;
+  std::vector<LineEntry> entries_;
+};
+
+class Matcher {
+ public:
+  Matcher(const Polygons& polygons, const Kernel& kernel)
+      : polygons_(polygons),
+        kernel_(kernel),
+        mate_(polygons.corners.size()),
+        face_(polygons.corners.size()) {
+    for (std::uint32_t f = 0; f < polygons.face_count(); ++f)
+      for (std::uint32_t l = polygons.first_loop(f); l < polygons.face_end[f]; ++l)
+        for (std::uint32_t i = polygons.loop_begin(l); i < polygons.loop_end[l]; ++i) face_[i] = f;
+  }
+
+  std::vector<std::uint32_t> run() {
+    Buckets buckets(polygons_);
+    for (std::uint32_t p = 0; p < buckets.count(); ++p) {
+      const auto bucket = buckets[p];
+      std::sort(bucket.begin(), bucket.end(), [](const LineEntry& a, const LineEntry& b) {
+        return a.high != b.high ? a.high < b.high : a.corner < b.corner;
+      });
+      for (std::size_t from = 0, to; from < bucket.size(); from = to) {
+        for (to = from + 1; to < bucket.size() && bucket[to].high == bucket[from].high;) ++to;
+        match(PointId(p), bucket.subspan(from, to - from));
+      }
+    }
+    return std::move(mate_);
+  }
+
+ private:
+  void match(PointId low, std::span<LineEntry> entries) {
+    if (entries.size() == 2 && entries[0].forward != entries[1].forward) {
+      pair(entries[0], entries[1]);
+      return;
+    }
+    const auto forward = static_cast<std::size_t>(std::count_if(
+        entries.begin(), entries.end(), [](const LineEntry& e) { return e.forward; }));
+    if (2 * forward != entries.size()) refuse(low, entries, forward);
+    sort_around(low, entries);
+    // Material lies between a backward half-plane and the forward one that follows it.
+    const std::size_t n = entries.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const LineEntry &e = entries[i], &next = entries[i + 1 < n ? i + 1 : 0];
+      if (e.forward == next.forward || tied(e, next)) refuse_overlap(low, e, next);
+      if (!e.forward) pair(e, next);
+    }
+  }
+
+  void pair(const LineEntry& a, const LineEntry& b) {
+    mate_[a.corner] = b.corner;
+    mate_[b.corner] = a.corner;
+  }
+
+  PlaneId plane(const LineEntry& e) const { return PlaneId(face_[e.corner]); }
+
+  // See SegmentBuilder in boolean/neighborhoods.cpp: the same sort, here for one solid.
+  void sort_around(PointId low, std::span<LineEntry> entries) {
+    axis_ = -1;
+    for (const LineEntry& e : entries) {
+      axis_ = kernel_.cross_axis(plane(entries[0]), plane(e));
+      if (axis_ >= 0) break;
+    }
+    if (axis_ >= 0) line_ = kernel_.compare(low, entries[0].high, axis_);
+    const LineEntry start = entries[0];
+    const auto quarter = [&](const LineEntry& e) {
+      const Sign s = turn(start, e);
+      return s == Sign::positive ? 1 : s == Sign::negative ? 3 : same_way(start, e) ? 0 : 2;
+    };
+    std::sort(entries.begin(), entries.end(), [&](const LineEntry& a, const LineEntry& b) {
+      const int in_a = quarter(a), in_b = quarter(b);
+      if (in_a != in_b) return in_a < in_b;
+      const Sign s = turn(a, b);
+      return s != Sign::zero ? s == Sign::positive : a.corner < b.corner;
+    });
+  }
+
+  Sign turn(const LineEntry& a, const LineEntry& b) const {
+    if (axis_ < 0) return Sign::zero;
+    const Sign s = kernel_.cross(plane(a), plane(b), axis_) * line_;
+    return a.forward == b.forward ? s : -s;
+  }
+  bool same_way(const LineEntry& a, const LineEntry& b) const {
+    return kernel_.same_direction(plane(a), plane(b)) == (a.forward == b.forward);
+  }
+  bool tied(const LineEntry& a, const LineEntry& b) const {
+    return turn(a, b) == Sign::zero && same_way(a, b);
+  }
+
+  std::string edge_in_words(PointId low, const LineEntry& e) const {
+    return "the edge from " + in_words(kernel_.geometry().position(low)) + " to " +
+           in_words(kernel_.geometry().position(e.high));
+  }
+  std::uint32_t source(const LineEntry& e) const { return polygons_.source[face_[e.corner]]; }
+
+  [[noreturn]] void refuse(PointId low, std::span<const LineEntry> entries,
+                           std::size_t forward) const {
+    const std::uint32_t face = source(entries[0]);
+    if (entries.size() == 1)
+      throw InvalidSolid(InvalidSolid::Reason::open,
+                         "the surface is open: " + edge_in_words(low, entries[0]) + " of face " +
+                             std::to_string(face) +
+                             " has no face on its other side; close the hole there",
+                         face);
+    if (forward == 0 || forward == entries.size())
+      throw InvalidSolid(InvalidSolid::Reason::inconsistent,
+                         "faces " + std::to_string(face) + " and " +
+                             std::to_string(source(entries[1])) + " run the same way along " +
+                             edge_in_words(low, entries[0]) + "; flip one of them",
+                         face);
+    throw InvalidSolid(InvalidSolid::Reason::open,
+                       "the surface is open or not consistently oriented: along " +
+                           edge_in_words(low, entries[0]) + " " + std::to_string(forward) +
+                           " faces run one way and " + std::to_string(entries.size() - forward) +
+                           " the other, among them face " + std::to_string(face),
+                       face);
+  }
+
+  [[noreturn]] void refuse_overlap(PointId low, const LineEntry& a, const LineEntry& b) const {
+    throw InvalidSolid(InvalidSolid::Reason::self_intersecting,
+                       "faces " + std::to_string(source(a)) + " and " + std::to_string(source(b)) +
+                           " overlap, or cross others, along " + edge_in_words(low, a),
+                       source(a));
+  }
+
+  const Polygons& polygons_;
+  const Kernel& kernel_;
+  std::vector<std::uint32_t> mate_, face_;
+  int axis_ = -1;
+  Sign line_ = Sign::zero;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> match_edges(const Polygons& polygons, const Kernel& kernel) {
+  return Matcher(polygons, kernel).run();
+}
+
+}  // namespace sectile
