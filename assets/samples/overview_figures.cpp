@@ -19,12 +19,13 @@ Sample touching_tunnel() {
                      block({0, 0, 0}, {4, 2, 3}), along_y({{1, 1}, {3, 1}, {2, 3}}, 0, 2));
 }
 
-// The result of figure 2 as an operand: its profile passes the apex twice.
+// The result of figure 2 as an operand: its profile passes the apex twice, so there are two edges
+// at one place. The ends are three quadrilaterals each, none of which touches itself.
 Sample pseudomanifold_operand() {
-  return pair_sample(
-      "fig03", "A pseudomanifold filled again", "3", Operation::unite,
-      along_y({{0, 0}, {4, 0}, {4, 3}, {2, 3}, {3, 1}, {1, 1}, {2, 3}, {0, 3}}, 0, 2),
-      along_y({{1, 1}, {3, 1}, {2, 3}}, 0, 2));
+  return pair_sample("fig03", "A pseudomanifold filled again", "3", Operation::unite,
+                     along_y({{0, 0}, {4, 0}, {4, 3}, {2, 3}, {3, 1}, {1, 1}, {2, 3}, {0, 3}},
+                             {{0, 1, 4, 5}, {1, 2, 3, 4}, {0, 5, 6, 7}}, 0, 2),
+                     along_y({{1, 1}, {3, 1}, {2, 3}}, 0, 2));
 }
 
 Sample split_prongs() {

@@ -20,17 +20,32 @@ Loop add_loop(PolygonMesh& mesh, const std::vector<Vec3>& corners) {
   return loop;
 }
 
-/// `near` counter-clockwise as seen from outside; far[i] is joined to near[i].
-PolygonMesh between(const std::vector<Vec3>& near, const std::vector<Vec3>& far) {
+/// `near` counter-clockwise as seen from outside; far[i] is joined to near[i]. Both end faces are
+/// made of the pieces.
+PolygonMesh between(const std::vector<Vec3>& near, const std::vector<Vec3>& far,
+                    const std::vector<Loop>& pieces) {
   PolygonMesh mesh;
   const Loop a = add_loop(mesh, near), b = add_loop(mesh, far);
-  add_face(mesh, a);
-  add_face(mesh, Loop(b.rbegin(), b.rend()));
+  for (const Loop& piece : pieces) {
+    Loop on_near, on_far;
+    for (const std::uint32_t corner : piece) {
+      on_near.push_back(a[corner]);
+      on_far.insert(on_far.begin(), b[corner]);
+    }
+    add_face(mesh, on_near);
+    add_face(mesh, on_far);
+  }
   for (std::size_t i = 0; i < a.size(); ++i) {
     const std::size_t j = (i + 1) % a.size();
     add_face(mesh, {a[j], a[i], b[i], b[j]});
   }
   return mesh;
+}
+
+std::vector<Loop> one_piece(std::size_t corners) {
+  Loop loop(corners);
+  std::iota(loop.begin(), loop.end(), 0u);
+  return {loop};
 }
 
 }  // namespace
@@ -41,12 +56,17 @@ PolygonMesh block(const Vec3& low, const Vec3& high) {
 }
 
 PolygonMesh along_y(const std::vector<Corner>& profile, double from, double to) {
+  return along_y(profile, one_piece(profile.size()), from, to);
+}
+
+PolygonMesh along_y(const std::vector<Corner>& profile, const std::vector<Loop>& pieces,
+                    double from, double to) {
   std::vector<Vec3> front, back;
   for (const Corner& c : profile) {
     front.push_back({c.u, from, c.v});
     back.push_back({c.u, to, c.v});
   }
-  return between(front, back);
+  return between(front, back, pieces);
 }
 
 PolygonMesh along_x(const std::vector<Corner>& profile, double from, double to) {
@@ -55,7 +75,7 @@ PolygonMesh along_x(const std::vector<Corner>& profile, double from, double to) 
     left.push_back({from, c.u, c.v});
     right.push_back({to, c.u, c.v});
   }
-  return between(right, left);
+  return between(right, left, one_piece(profile.size()));
 }
 
 PolygonMesh cone(const Vec3& apex, const std::vector<Vec3>& base) {

@@ -14,6 +14,9 @@ struct Corner {
 PolygonMesh block(const Vec3& low, const Vec3& high);
 /// A profile (x, z), counter-clockwise with z up, from y = from to y = to.
 PolygonMesh along_y(const std::vector<Corner>& profile, double from, double to);
+/// The same with both ends cut into pieces, each a list of corners of the profile.
+PolygonMesh along_y(const std::vector<Corner>& profile,
+                    const std::vector<std::vector<std::uint32_t>>& pieces, double from, double to);
 /// A profile (y, z), counter-clockwise with z up, from x = from to x = to.
 PolygonMesh along_x(const std::vector<Corner>& profile, double from, double to);
 /// The base counter-clockwise as seen from outside.

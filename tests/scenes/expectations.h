@@ -56,12 +56,13 @@ inline const std::vector<Figure>& figures() {
         {subtract, {16, 24, 10, 10, 1, 0}, 20, 52 + 4 * r5},
         {subtract_from, nothing, 0, 0}}},
       {"fig03",
-       "Filled with the wedge, the tunnel's faces vanish; the two tops are different faces of A "
-       "and keep the apex edge between them, now one; front and back keep A's octagon and B's "
-       "triangle: 7 + 2 faces, 8 + 2 + 4 corners.",
-       {{unite, {14, 21, 9, 9, 1, 0}, 24, 52},
+       "A is the result of figure 2 with its ends in three quadrilaterals each: 16 corners, 24 + 4 "
+       "edges, 10 + 4 faces. Filled with the wedge, the tunnel's faces vanish; the two tops are "
+       "different faces of A and keep the apex edge between them, now one; each end keeps A's "
+       "three parts and B's triangle: 5 + 2 * 4 faces, 8 + 2 + 4 corners.",
+       {{unite, {14, 25, 13, 13, 1, 0}, 24, 52},
         {intersect, nothing, 0, 0},
-        {subtract, {16, 24, 10, 10, 1, 0}, 20, 52 + 4 * r5},
+        {subtract, {16, 28, 14, 14, 1, 0}, 20, 52 + 4 * r5},
         {subtract_from, {6, 9, 5, 5, 1, 0}, 4, 8 + 4 * r5}}},
       {"fig04",
        "Above: two triangular prisms. Below: a block 6x2x2 whose top is in three parts, the notch "

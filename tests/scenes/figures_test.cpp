@@ -95,6 +95,21 @@ TEST_P(FigureTest, HasTheCountsFoundByHand) {
 
 INSTANTIATE_TEST_SUITE_P(Paper, FigureTest, testing::ValuesIn(all_cases()), test_name);
 
+// The pseudomanifold of figure 3, with ends that touch themselves, is an operand again. Its two
+// tops are parts of one and the same face of the block: filled again, it is the block.
+TEST(Closure, TheResultOfFigure2CanBeFilled) {
+  const samples::Sample sample = samples::get("fig02");
+  const Solid tunnel = boolean(sample.a, sample.b, Operation::subtract);
+  const Solid filled = boolean(tunnel, sample.b, Operation::unite);
+  expect_legal(filled);
+  EXPECT_NEAR(filled.volume(), sample.a.volume(), 1e-12);
+  EXPECT_NEAR(filled.area(), sample.a.area(), 1e-12);
+  EXPECT_TRUE(filled == sample.a);
+  EXPECT_TRUE(boolean(tunnel, sample.b, Operation::intersect).is_empty());
+  EXPECT_TRUE(boolean(tunnel, sample.b, Operation::subtract) == tunnel);
+  EXPECT_TRUE(boolean(sample.a, tunnel, Operation::subtract) == sample.b);
+}
+
 // V - E + F - (L - F) = 2 (S - G): the table itself must be possible.
 TEST(Expectations, SatisfyEulerPoincare) {
   for (const auto& [figure, row] : all_cases()) {
