@@ -34,13 +34,13 @@ std::vector<FaceId> faces_of(const FacePairs& pairs, bool second) {
   return faces;
 }
 
+}  // namespace
+
 FaceId loaded_face(const Patch& patch, FaceId face) {
   if (patch.whole) return face;
   const auto at = std::lower_bound(patch.face_in_solid.begin(), patch.face_in_solid.end(), face);
   return FaceId(static_cast<std::size_t>(at - patch.face_in_solid.begin()));
 }
-
-}  // namespace
 
 void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs) {
   pairs = overlapping_faces(a, b);
@@ -67,7 +67,7 @@ void cut(Workspace& w, const FacePairs& pairs, std::span<const Operation> wanted
 }
 
 Solid assemble(Workspace& w, Operation operation, std::size_t index) {
-  const KeptFaces kept = find_components(w, operation);
+  const FaceLabels kept = find_kept(w, operation);
   Glued glued = glue(w, operation, w.wedges[index], kept);
   clean_up(glued);
   return Solid(std::shared_ptr<const SolidData>(std::move(glued.data)));

@@ -8,18 +8,18 @@
 namespace sectile {
 namespace {
 
-constexpr std::uint8_t gone = 0, stays = 1, unknown = 2;
+constexpr std::uint8_t nothing = 0, unknown = 255;
 
 class Spreading {
  public:
-  Spreading(Workspace& w, int s, Operation operation, KeptFaces& kept)
+  Spreading(Workspace& w, int s, const LabelOf& label_of, FaceLabels& labels)
       : w_(w),
         s_(s),
-        operation_(operation),
+        label_(label_of),
         patch_(w.patch[s]),
         brep_(patch_.brep),
-        loaded_(kept.loaded[s]),
-        rest_(kept.rest[s]),
+        loaded_(labels.loaded[s]),
+        rest_(labels.rest[s]),
         open_ends_(64) {
     loaded_.assign(brep_.face_count(), unknown);
     if (!patch_.whole) find_rest();
@@ -30,9 +30,9 @@ class Spreading {
     spread();
     visit_untouched_shells();
     for (std::size_t f = 0; f < loaded_.size(); ++f)
-      if (!patch_.is_real(FaceId(f))) loaded_[f] = gone;
+      if (!patch_.is_real(FaceId(f))) loaded_[f] = nothing;
     for (std::uint8_t& label : rest_)
-      if (label == unknown) label = gone;  // the loaded ones
+      if (label == unknown) label = nothing;  // the loaded ones
   }
 
  private:
@@ -66,7 +66,7 @@ class Spreading {
           cut[patch_.root[brep_.face_of(h).value()].value()] = 1;
     for (const HalfPlane& h : w_.half_planes) {
       if (h.solid != s_) continue;
-      const std::uint8_t label = kept(operation_, s_, h.cls) ? stays : gone;
+      const std::uint8_t label = label_(s_, h.cls);
       const Carrier& c = w_.carriers[h.carrier];
       // Beside a cut the part is known; elsewhere only a face that was not divided.
       if (c.cut)
@@ -123,7 +123,7 @@ class Spreading {
     for (std::size_t f = 0; f < loaded_.size(); ++f) {
       if (loaded_[f] != unknown || !patch_.is_real(FaceId(f))) continue;
       if (patch_.unbounded) {  // nothing meets the plane: no part of it is inside the solid
-        set_loaded(FaceId(f), gone);
+        set_loaded(FaceId(f), label_(s_, Class::out));
         continue;
       }
       set_loaded(FaceId(f), label_of(free_point(FaceId(f), in_contact)));
@@ -141,8 +141,7 @@ class Spreading {
   }
 
   std::uint8_t label_of(PointId p) {
-    const Class cls = is_inside(w_, 1 - s_, p) ? Class::in : Class::out;
-    return kept(operation_, s_, cls) ? stays : gone;
+    return label_(s_, is_inside(w_, 1 - s_, p) ? Class::in : Class::out);
   }
 
   // A point of the shell of a face that is not on the other boundary.
@@ -182,7 +181,7 @@ class Spreading {
 
   Workspace& w_;
   int s_;
-  Operation operation_;
+  const LabelOf& label_;
   const Patch& patch_;
   const Brep& brep_;
   std::vector<std::uint8_t>& loaded_;
@@ -194,10 +193,16 @@ class Spreading {
 
 }  // namespace
 
-KeptFaces find_components(Workspace& w, Operation operation) {
-  KeptFaces kept;
-  for (int s = 0; s < 2; ++s) Spreading(w, s, operation, kept).run();
-  return kept;
+FaceLabels find_components(Workspace& w, const LabelOf& label_of) {
+  FaceLabels labels;
+  for (int s = 0; s < 2; ++s) Spreading(w, s, label_of, labels).run();
+  return labels;
+}
+
+FaceLabels find_kept(Workspace& w, Operation operation) {
+  return find_components(w, [operation](int solid, Class c) -> std::uint8_t {
+    return kept(operation, solid, c) ? 1 : 0;
+  });
 }
 
 }  // namespace sectile

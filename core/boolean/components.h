@@ -1,18 +1,24 @@
 // Phase 6: the cut surfaces fall apart; which pieces stay in the result.
 #pragma once
 
+#include <functional>
+
 #include "boolean/workspace.h"
 
 namespace sectile {
 
-/// Per solid: which faces are in the boundary of a result.
-struct KeptFaces {
+/// Per solid: a label for each face, 0 for those that are of no interest.
+struct FaceLabels {
   std::vector<std::uint8_t> loaded[2];  ///< per face of the patch
   std::vector<std::uint8_t> rest[2];    ///< per face of the operand that is not loaded (or empty)
 };
 
-/// Classes spread from the contact segments; all that reach one piece must agree. A shell that
-/// touches nothing takes one exact ray.
-KeptFaces find_components(Workspace& w, Operation operation);
+/// Labels spread from the contact segments; all that reach one piece must agree. A shell that
+/// touches nothing takes one exact ray. The label is what `label_of` says of a solid's class.
+using LabelOf = std::function<std::uint8_t(int solid, Class)>;
+FaceLabels find_components(Workspace& w, const LabelOf& label_of);
+
+/// Label 1: the faces that are in the boundary of a result.
+FaceLabels find_kept(Workspace& w, Operation operation);
 
 }  // namespace sectile

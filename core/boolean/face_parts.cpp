@@ -76,8 +76,8 @@ class Family {
     if (outer_.size() + (patch_.unbounded ? 1 : 0) != faces.size())
       throw InternalError("the parts of a cut face do not fit together");
     std::vector<LoopId> part_of_inner;
-    for (const LoopId l : inner_)
-      part_of_inner.push_back(outer_.size() == 1 ? outer_[0] : around(l));
+    const bool single = outer_.size() == 1 && !patch_.unbounded;
+    for (const LoopId l : inner_) part_of_inner.push_back(single ? outer_[0] : around(l));
     for (const FaceId f : faces) brep_.outer_loop[f.value()] = LoopId();
     for (const LoopId l : outer_) brep_.next_loop[l.value()] = LoopId();
     for (const LoopId l : inner_) brep_.next_loop[l.value()] = LoopId();

@@ -19,7 +19,7 @@ struct SourceHalfEdge {
 class Assembly {
  public:
   Assembly(const Workspace& w, Operation operation, std::span<const WedgePair> wedges,
-           const KeptFaces& kept)
+           const FaceLabels& kept)
       : w_(w),
         operation_(operation),
         kept_(kept),
@@ -203,7 +203,7 @@ class Assembly {
 
   const Workspace& w_;
   Operation operation_;
-  const KeptFaces& kept_;
+  const FaceLabels& kept_;
   Glued glued_;
   Brep& brep_;
   GeometryCopy local_;
@@ -217,7 +217,7 @@ class Assembly {
 }  // namespace
 
 Glued glue(const Workspace& w, Operation operation, std::span<const WedgePair> wedges,
-           const KeptFaces& kept) {
+           const FaceLabels& kept) {
   return Assembly(w, operation, wedges, kept).run();
 }
 

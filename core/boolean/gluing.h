@@ -16,6 +16,6 @@ struct Glued {
 };
 
 Glued glue(const Workspace& w, Operation operation, std::span<const WedgePair> wedges,
-           const KeptFaces& kept);
+           const FaceLabels& kept);
 
 }  // namespace sectile

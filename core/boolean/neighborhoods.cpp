@@ -29,6 +29,7 @@ class SegmentBuilder {
     sort();
     classify();
     for (std::size_t i = 0; i < wanted_.size(); ++i) pair_wedges(wanted_[i], w_.wedges[i]);
+    if (wanted_.empty()) cut_between_classes();
     w_.segments.push_back(segment_);
   }
 
@@ -181,6 +182,12 @@ class SegmentBuilder {
       if (j != no_element && planes[j].carrier != planes[i].carrier)
         w_.carriers[planes[i].carrier].cut = true;
     }
+  }
+
+  void cut_between_classes() {
+    for (const HalfPlane& h : half_planes())
+      for (const HalfPlane& g : half_planes())
+        if (g.carrier == h.carrier && g.cls != h.cls) w_.carriers[h.carrier].cut = true;
   }
 
   Workspace& w_;

@@ -11,7 +11,8 @@
 namespace sectile {
 
 /// Groups the records into segments, sorts and classifies their half-planes, and finds for each
-/// wanted operation the wedges of material, and which carriers they cut.
+/// wanted operation the wedges of material, and which carriers they cut. If no operation is wanted,
+/// the carriers between whose sides the class changes are cut (the eight-way classification).
 void find_neighborhoods(Workspace& w, std::span<const Operation> wanted);
 
 }  // namespace sectile

@@ -252,11 +252,11 @@ PointId load_point(const Geometry& from, PointId point, Geometry& to) {
   return GeometryLoader(from, to, 8).point(point);
 }
 
-Patch half_space_patch(PlaneId plane) {
+Patch half_space_patch(PlaneId plane, FaceSource source) {
   Patch patch;
   patch.brep.outer_loop.push_back(LoopId());
   patch.brep.plane.push_back(plane);
-  patch.brep.source.push_back(FaceSource{});
+  patch.brep.source.push_back(source);
   patch.brep.kind.push_back(FaceKind::real);
   patch.face_in_solid.push_back(FaceId());
   patch.loaded_faces = 1;

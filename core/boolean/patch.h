@@ -55,7 +55,7 @@ Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geome
 PointId load_point(const Geometry& from, PointId point, Geometry& to);
 
 /// The boundary of a half-space: one face without boundary. The normal points out of it.
-Patch half_space_patch(PlaneId plane);
+Patch half_space_patch(PlaneId plane, FaceSource source);
 
 /// Fills flat, side_plane, boxes and trees; needs the kernel for the workspace's geometry, which
 /// may be given further planes.

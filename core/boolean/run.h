@@ -9,6 +9,8 @@ namespace sectile {
 
 /// Loads the faces that may meet; `pairs` are pairs of loaded faces.
 void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs);
+/// The loaded face that stands for a face of the operand.
+FaceId loaded_face(const Patch& patch, FaceId face);
 /// Phases 1 to 5: both boundaries are cut for all wanted operations.
 void cut(Workspace& w, const FacePairs& pairs, std::span<const Operation> wanted);
 /// Phases 6 to 8 for one of the wanted operations.

@@ -10,11 +10,6 @@
 namespace sectile {
 namespace {
 
-std::uint32_t next_origin() {
-  static std::atomic<std::uint32_t> last{0};
-  return ++last;
-}
-
 class BrepBuilder {
  public:
   BrepBuilder(const Polygons& polygons, const std::vector<std::uint32_t>& mate, Brep& brep)
@@ -194,6 +189,11 @@ void check_orientation(const Brep& brep, const Geometry& geometry) {
 
 }  // namespace
 
+std::uint32_t new_origin() {
+  static std::atomic<std::uint32_t> last{0};
+  return ++last;
+}
+
 std::shared_ptr<const SolidData> import_soup(const Soup& soup) {
   auto data = std::make_shared<SolidData>();
   Polygons polygons = read_polygons(soup, data->geometry);
@@ -203,7 +203,7 @@ std::shared_ptr<const SolidData> import_soup(const Soup& soup) {
   find_face_planes(polygons, data->geometry, kernel);
   if (polygons.face_count() == 0) return data;
   const std::vector<std::uint32_t> mate = match_edges(polygons, kernel);
-  data->origin = next_origin();
+  data->origin = new_origin();
   BrepBuilder(polygons, mate, data->brep).run(data->origin);
   pin_flat_edges(data->brep, data->geometry, kernel);
   check_orientation(data->brep, data->geometry);

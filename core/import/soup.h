@@ -19,6 +19,9 @@ struct Soup {
   std::vector<std::uint32_t> indices;
 };
 
+/// A number that no imported mesh has had yet, for FaceSource::solid.
+std::uint32_t new_origin();
+
 /// Throws InvalidSolid as Solid::from_mesh does. Faces keep their number as FaceSource::face.
 std::shared_ptr<const SolidData> import_soup(const Soup& soup);
 std::shared_ptr<const SolidData> import_mesh(const PolygonMesh& mesh);

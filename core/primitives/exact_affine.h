@@ -17,7 +17,8 @@ class ExactAffine {
   explicit ExactAffine(const Transform& transform);
 
   bool mirrors() const { return determinant_.sign() == Sign::negative; }
-  /// The image of a point in homogeneous coordinates, rounded once.
+  /// The image of a point, rounded once.
+  Vec3 rounded(const Vec3& point) const { return transform_(point); }
   Vec3 rounded(const ExactPoint& point) const;
   /// The image of an explicit point; false if the doubles cannot hold it.
   bool map(const Vec3& point, Vec3& image) const;

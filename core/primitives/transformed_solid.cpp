@@ -91,15 +91,23 @@ void add_loop(const Brep& brep, LoopId loop, bool reversed, Soup& soup) {
   ++soup.face_loops.back();
 }
 
-Soup rounded_faces(const SolidData& data, const ExactAffine& affine) {
+std::vector<Vec3> rounded_positions(const SolidData& data, const ExactAffine& affine) {
   const Kernel kernel(data.geometry);
-  Soup soup;
+  std::vector<Vec3> positions;
+  positions.reserve(data.brep.vertex_count());
   for (const PointId p : data.brep.point) {
-    const Vec3 image = affine.rounded(kernel.exact(p));
+    const Vec3 image = data.geometry.is_explicit(p) ? affine.rounded(data.geometry.position(p))
+                                                    : affine.rounded(kernel.exact(p));
     require(std::isfinite(image.x) && std::isfinite(image.y) && std::isfinite(image.z),
             "The transformed solid would be too large for double coordinates.");
-    soup.positions.push_back(image);
+    positions.push_back(image);
   }
+  return positions;
+}
+
+Soup rounded_faces(const SolidData& data, const ExactAffine& affine) {
+  Soup soup;
+  soup.positions = rounded_positions(data, affine);
   const bool mirrored = affine.mirrors();
   for (const LoopId outer : data.brep.outer_loop) {
     soup.face_loops.push_back(0);

@@ -1,0 +1,140 @@
+// The four- and eight-way boundary classification as results in their own right (paper, section 4).
+#include <cmath>
+
+#include "boolean/components.h"
+#include "boolean/run.h"
+#include "boolean/tables.h"
+
+namespace sectile {
+namespace {
+
+// Collects the faces of one solid with one label.
+class PartBuilder {
+ public:
+  PartBuilder(const Brep& brep, const Geometry& geometry, SurfacePart& part)
+      : brep_(brep),
+        geometry_(geometry),
+        part_(part),
+        number_(geometry.positions.size(), no_vertex) {}
+
+  void add(FaceId f) {
+    SurfacePart::Face& face = part_.faces.emplace_back();
+    face.source = brep_.source[f.value()];
+    double normal[3] = {0, 0, 0};
+    for (LoopId l = brep_.outer_loop[f.value()]; l.valid(); l = brep_.next_loop[l.value()]) {
+      if (!brep_.loop_half_edge[l.value()].valid()) continue;
+      auto& loop = face.loops.emplace_back();
+      for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
+        const PointId p = brep_.point_of(brep_.from(h));
+        if (p != brep_.point_of(brep_.to(h))) loop.push_back(vertex(p));
+      });
+      add_area(loop, normal);
+    }
+    part_.area += 0.5 * std::hypot(normal[0], normal[1], normal[2]);
+  }
+
+ private:
+  static constexpr std::uint32_t no_vertex = 0xFFFFFFFFu;
+
+  std::uint32_t vertex(PointId p) {
+    std::uint32_t& n = number_[p.value()];
+    if (n == no_vertex) {
+      n = static_cast<std::uint32_t>(part_.positions.size());
+      part_.positions.push_back(geometry_.position(p));
+    }
+    return n;
+  }
+
+  void add_area(const std::vector<std::uint32_t>& loop, double (&normal)[3]) const {
+    const Vec3& o = part_.positions[loop[0]];
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+      const Vec3 &p = part_.positions[loop[i]], &q = part_.positions[loop[i + 1]];
+      const double u[3] = {p.x - o.x, p.y - o.y, p.z - o.z};
+      const double v[3] = {q.x - o.x, q.y - o.y, q.z - o.z};
+      for (int k = 0; k < 3; ++k)
+        normal[k] += u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+    }
+  }
+
+  const Brep& brep_;
+  const Geometry& geometry_;
+  SurfacePart& part_;
+  std::vector<std::uint32_t> number_;
+};
+
+SurfacePart collect_part(const Workspace& w, const FaceLabels& labels, int s, std::uint8_t label) {
+  SurfacePart part;
+  const Patch& patch = w.patch[s];
+  PartBuilder loaded(patch.brep, w.geometry, part);
+  for (std::size_t f = 0; f < labels.loaded[s].size(); ++f)
+    if (labels.loaded[s][f] == label) loaded.add(FaceId(f));
+  if (labels.rest[s].empty()) return part;
+  PartBuilder rest(patch.solid->brep, patch.solid->geometry, part);
+  for (std::size_t f = 0; f < labels.rest[s].size(); ++f)
+    if (labels.rest[s][f] == label) rest.add(FaceId(f));
+  return part;
+}
+
+std::uint8_t label(Class c) {
+  return static_cast<std::uint8_t>(1 + static_cast<int>(c));
+}
+
+// All of a solid's boundary as one part, for when the other solid is empty.
+SurfacePart whole_boundary(const Solid& solid) {
+  SurfacePart part;
+  if (solid.is_empty()) return part;
+  PartBuilder builder(solid.data()->brep, solid.data()->geometry, part);
+  for (std::size_t f = 0; f < solid.data()->brep.face_count(); ++f) builder.add(FaceId(f));
+  return part;
+}
+
+}  // namespace
+
+EightWay classify(const Solid& a, const Solid& b) {
+  EightWay result;
+  if (a.is_empty() || b.is_empty()) {
+    result.a_out_b = whole_boundary(a);
+    result.b_out_a = whole_boundary(b);
+    return result;
+  }
+  const BooleanOptions options;
+  Workspace w(options);
+  FacePairs pairs;
+  load(w, *a.data(), *b.data(), pairs);
+  cut(w, pairs, {});
+  const FaceLabels labels = find_components(w, [](int, Class c) { return label(c); });
+  const auto part = [&](int s, Class c) { return collect_part(w, labels, s, label(c)); };
+  result.a_in_b = part(0, Class::in);
+  result.a_out_b = part(0, Class::out);
+  result.a_on_b_plus = part(0, Class::on_plus);
+  result.a_on_b_minus = part(0, Class::on_minus);
+  result.b_in_a = part(1, Class::in);
+  result.b_out_a = part(1, Class::out);
+  result.b_on_a_plus = part(1, Class::on_plus);
+  result.b_on_a_minus = part(1, Class::on_minus);
+  return result;
+}
+
+FourWay classify(const Solid& a, const Solid& b, Operation operation) {
+  FourWay result;
+  if (a.is_empty() || b.is_empty()) {
+    result.a_out_b = whole_boundary(a);
+    result.b_out_a = whole_boundary(b);
+    return result;
+  }
+  const BooleanOptions options;
+  Workspace w(options);
+  FacePairs pairs;
+  load(w, *a.data(), *b.data(), pairs);
+  const Operation wanted[] = {operation};
+  cut(w, pairs, wanted);
+  const FaceLabels labels =
+      find_components(w, [&](int s, Class c) { return label(reclassified(operation, s, c)); });
+  result.a_in_b = collect_part(w, labels, 0, label(Class::in));
+  result.a_out_b = collect_part(w, labels, 0, label(Class::out));
+  result.b_in_a = collect_part(w, labels, 1, label(Class::in));
+  result.b_out_a = collect_part(w, labels, 1, label(Class::out));
+  return result;
+}
+
+}  // namespace sectile

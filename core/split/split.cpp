@@ -1,0 +1,106 @@
+// Splitting by a plane (paper, section 3): the Boolean against a half-space. Above is the
+// intersection, Below the difference; both come from one cut, because Table I has the same rows for
+// them.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "boolean/run.h"
+#include "import/soup.h"
+#include "sectile/boolean.h"
+#include "sectile/errors.h"
+
+namespace sectile {
+namespace {
+
+constexpr Operation above = Operation::intersect, below = Operation::subtract;
+
+void check(const HalfSpace& h) {
+  for (const double value : {h.a, h.b, h.c, h.d})
+    if (!std::isfinite(value))
+      throw std::invalid_argument("the plane has a coefficient that is not finite");
+  if (h.a == 0 && h.b == 0 && h.c == 0)
+    throw std::invalid_argument("the plane's normal (a, b, c) is zero");
+}
+
+// Can the plane meet the box? Rounding only makes it say yes too often.
+class MeetsPlane {
+ public:
+  explicit MeetsPlane(const HalfSpace& h) : h_(h) {}
+  bool operator()(const Box& b) const {
+    double low = h_.d, high = h_.d, size = std::abs(h_.d);
+    const double n[3] = {h_.a, h_.b, h_.c};
+    for (int k = 0; k < 3; ++k) {
+      const double p = n[k] * b.low[k], q = n[k] * b.high[k];
+      low += std::min(p, q);
+      high += std::max(p, q);
+      size += std::max(std::abs(p), std::abs(q));
+    }
+    const double margin = 0x1p-48 * size + 0x1p-1060;
+    return !(low > margin) && !(high < -margin);
+  }
+
+ private:
+  HalfSpace h_;
+};
+
+void load(Workspace& w, const SolidData& solid, const HalfSpace& h, std::uint32_t origin,
+          FacePairs& pairs) {
+  std::vector<FaceId> faces;
+  solid.tree().query(MeetsPlane(h), [&](std::uint32_t f) { faces.push_back(FaceId(f)); });
+  std::sort(faces.begin(), faces.end());
+  w.patch[0] = load_patch(solid, faces, w.geometry);
+  // The normal points out of the half-space.
+  const PlaneId plane = w.geometry.add_plane(PlaneCoefficients{-h.a, -h.b, -h.c, -h.d});
+  w.patch[1] = half_space_patch(plane, {origin, 0});
+  w.kernel = std::make_unique<Kernel>(w.geometry);
+  for (Patch& patch : w.patch) complete_patch(patch, w.geometry, *w.kernel);
+  for (const FaceId f : faces) pairs.push_back({loaded_face(w.patch[0], f), FaceId(0)});
+}
+
+}  // namespace
+
+std::pair<Solid, Solid> split(const Solid& solid, const HalfSpace& half_space) {
+  return split(solid, half_space, BooleanOptions{});
+}
+
+std::pair<Solid, Solid> split(const Solid& solid, const HalfSpace& half_space,
+                              const BooleanOptions& options) {
+  check(half_space);
+  if (solid.is_empty()) return {};
+  Workspace w(options);
+  FacePairs pairs;
+  load(w, *solid.data(), half_space, new_origin(), pairs);
+  const Operation wanted[] = {above, below};
+  cut(w, pairs, wanted);
+  return {assemble(w, above, 0), assemble(w, below, 1)};
+}
+
+Section section(const Solid& solid, const HalfSpace& half_space) {
+  check(half_space);
+  Section result;
+  if (solid.is_empty()) return result;
+  const BooleanOptions options;
+  Workspace w(options);
+  FacePairs pairs;
+  const std::uint32_t origin = new_origin();
+  load(w, *solid.data(), half_space, origin, pairs);
+  const Operation wanted[] = {below};
+  cut(w, pairs, wanted);
+  // The caps of the part below have the normal of the plane.
+  const Solid part = assemble(w, below, 0);
+  if (part.is_empty()) return result;
+  const Brep& brep = part.data()->brep;
+  for (std::size_t f = 0; f < brep.face_count(); ++f) {
+    if (brep.source[f].solid != origin) continue;
+    for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l.value()]) {
+      auto& loop = result.loops.emplace_back();
+      for_each_in_loop(brep, l, [&](HalfEdgeId h) {
+        loop.push_back(part.data()->geometry.position(brep.point_of(brep.from(h))));
+      });
+    }
+  }
+  return result;
+}
+
+}  // namespace sectile
