@@ -206,5 +206,42 @@ TEST_F(TransformedResult, RoundedMovesAreLegal) {
   EXPECT_TRUE(moved.data()->geometry.constructions.empty());
 }
 
+const Transform exact_transforms[] = {
+    Transform::translation({1, -2, 0.5}), Transform::scaling({2, 0.5, -4}),
+    Transform::rotation_degrees({0, 1, 0}, 90),
+    Transform::scaling({1, -1, 1}) * Transform::rotation_degrees({1, 0, 0}, 270)};
+
+// Faces of one plane beside each other, whose edges need a plane of their own.
+TEST(TransformedSolid, ExactMovesCommuteWithBooleans) {
+  const Solid a = extrude({{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {1, 5}, {0, 4}}, {}}, 3);
+  const Solid b = block({1, -1, 1}, {3, 2, 4});
+  for (const Transform& t : exact_transforms)
+    for (const Operation operation :
+         {Operation::unite, Operation::intersect, Operation::subtract}) {
+      const Solid before = boolean(transformed(a, t), transformed(b, t), operation);
+      const Solid after = transformed(boolean(a, b, operation), t);
+      expect_legal(after);
+      EXPECT_TRUE(before == after);
+      EXPECT_EQ(before.counts().faces, after.counts().faces);
+      const Solid c = transformed(block({-1, 1, 0.5}, {5, 1.5, 1.5}), t);
+      EXPECT_TRUE(boolean(before, c, Operation::subtract) ==
+                  boolean(after, c, Operation::subtract));
+    }
+}
+
+TEST(TransformedSolid, PlanesGivenByCoefficientsMoveExactly) {
+  const Solid part = split(block({0, 0, 0}, {1, 1, 1}), {1, 2, 3, -3.5}).first;
+  ASSERT_FALSE(part.data()->geometry.coefficients.empty());
+  for (const Transform& t : exact_transforms) {
+    const Solid moved = transformed(part, t);
+    expect_legal(moved);
+    EXPECT_FALSE(moved.data()->geometry.coefficients.empty());
+    EXPECT_NEAR(moved.volume(), part.volume() * (t.m[0] == 2 ? 4 : 1), 1e-12);
+    const Solid whole = transformed(block({0, 0, 0}, {1, 1, 1}), t);
+    EXPECT_TRUE(boolean(moved, whole, Operation::subtract).is_empty());
+    EXPECT_TRUE(boolean(moved, whole, Operation::intersect) == moved);
+  }
+}
+
 }  // namespace
 }  // namespace sectile
