@@ -11,8 +11,11 @@
 #include "boolean/neighborhoods.h"
 #include "boolean/null_edges.h"
 #include "boolean/reduction/reduction.h"
+#include "boolean/report.h"
 #include "boolean/run.h"
+#include "boolean/save_operands.h"
 #include "sectile/errors.h"
+#include "topology/links.h"
 
 namespace sectile {
 namespace {
@@ -55,22 +58,62 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs
   std::sort(pairs.begin(), pairs.end());
 }
 
+namespace {
+
+// Cancels if asked to, and tells how far the work is.
+void step(const Workspace& w, double done) {
+  if (w.options.cancel && *w.options.cancel) throw Cancelled();
+  if (w.options.progress) w.options.progress(done);
+}
+
+void check(const Workspace& w, const char* phase) {
+  if (!w.options.validate) return;
+  for (const Patch& patch : w.patch)
+    if (const auto found = broken_links(patch.brep, patch.unbounded); !found.empty())
+      throw InternalError(std::string("after ") + phase + ": " + found.front());
+}
+
+}  // namespace
+
 void cut(Workspace& w, const FacePairs& pairs, std::span<const Operation> wanted) {
+  const bool observed = w.options.observer && !wanted.empty();
+  step(w, 0.1);
   reduce(w, pairs);
+  if (observed) report_reduction(w);
+  step(w, 0.4);
   find_neighborhoods(w, wanted);
+  if (observed) report_neighborhoods(w, wanted[0]);
   find_sites(w);
   subdivide_edges(w);
+  check(w, "subdivision");
   order_cuts(w);
   insert_null_edges(w);
+  check(w, "null edges");
+  if (observed) report_null_edges(w);
+  step(w, 0.5);
   join_null_edges(w);
+  check(w, "joining");
+  if (observed) report_joining(w);
   settle_face_parts(w);
+  check(w, "settling the parts of faces");
+  step(w, 0.6);
 }
 
 Solid assemble(Workspace& w, Operation operation, std::size_t index) {
   const FaceLabels kept = find_kept(w, operation);
+  if (w.options.observer) report_components(w, kept, operation);
+  step(w, 0.7);
   Glued glued = glue(w, operation, w.wedges[index], kept);
+  if (w.options.observer) report_gluing(w, w.wedges[index]);
+  step(w, 0.9);
   clean_up(glued);
-  return Solid(std::shared_ptr<const SolidData>(std::move(glued.data)));
+  if (w.options.validate)
+    if (const auto found = broken_links(glued.data->brep, false); !found.empty())
+      throw InternalError("the result is not legal: " + found.front());
+  Solid result(std::shared_ptr<const SolidData>(std::move(glued.data)));
+  if (w.options.observer) report_cleanup(w, result);
+  step(w, 1.0);
+  return result;
 }
 
 Solid boolean(const Solid& a, const Solid& b, Operation operation) {
@@ -83,12 +126,16 @@ Solid boolean(const Solid& a, const Solid& b, Operation operation, const Boolean
     if (operation == Operation::unite && a.is_empty()) return b;
     return a;
   }
-  Workspace w(options);
-  FacePairs pairs;
-  load(w, *a.data(), *b.data(), pairs);
-  const Operation wanted[] = {operation};
-  cut(w, pairs, wanted);
-  return assemble(w, operation, 0);
+  try {
+    Workspace w(options);
+    FacePairs pairs;
+    load(w, *a.data(), *b.data(), pairs);
+    const Operation wanted[] = {operation};
+    cut(w, pairs, wanted);
+    return assemble(w, operation, 0);
+  } catch (const InternalError& error) {
+    throw InternalError(std::string(error.what()) + "; " + save_operands(a, b));
+  }
 }
 
 }  // namespace sectile

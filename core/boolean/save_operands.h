@@ -1,0 +1,14 @@
+// Operands of an operation that failed are saved for reproduction.
+#pragma once
+
+#include <string>
+
+#include "sectile/solid.h"
+
+namespace sectile {
+
+/// Writes both operands as OBJ files into the folder for temporary files. Says in words where, or
+/// why that was not possible.
+std::string save_operands(const Solid& a, const Solid& b);
+
+}  // namespace sectile
