@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "search/box_tree.h"
-#include "topology/solid_data.h"
+#include "search/solid_data.h"
 
 namespace sectile {
 

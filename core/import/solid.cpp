@@ -5,7 +5,7 @@
 #include "geometry/triangulation.h"
 #include "import/face_predicates.h"
 #include "import/soup.h"
-#include "topology/solid_data.h"
+#include "search/solid_data.h"
 
 namespace sectile {
 

@@ -9,10 +9,10 @@
 
 #include "numbers/dyadic.h"
 #include "primitives/exact_affine.h"
+#include "search/solid_data.h"
 #include "sectile/boolean.h"
 #include "sectile/primitives.h"
 #include "sectile/validate.h"
-#include "topology/solid_data.h"
 
 namespace sectile {
 namespace {

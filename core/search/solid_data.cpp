@@ -1,4 +1,4 @@
-#include "topology/solid_data.h"
+#include "search/solid_data.h"
 
 namespace sectile {
 
