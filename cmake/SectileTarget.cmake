@@ -4,6 +4,10 @@ function(sectile_target name)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)
   # Without contraction the same source gives the same bits on every machine.
   target_compile_options(${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    # GCC 12 warns of string concatenation in its own header (GCC bug 105651).
+    target_compile_options(${name} PRIVATE -Wno-restrict)
+  endif()
   if(SECTILE_WARNINGS_AS_ERRORS)
     target_compile_options(${name} PRIVATE -Werror)
   endif()
