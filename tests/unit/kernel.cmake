@@ -1,0 +1,2 @@
+find_package(Boost 1.74 REQUIRED)
+sectile_test(kernel_test SOURCES kernel_test.cpp LIBRARIES Boost::headers)

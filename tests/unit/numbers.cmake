@@ -1,0 +1,2 @@
+find_package(Boost 1.74 REQUIRED)
+sectile_test(dyadic_test SOURCES dyadic_test.cpp LIBRARIES Boost::headers)
