@@ -16,7 +16,7 @@ TEST(Dyadic, SumsAndProductsHaveTheSignOfTheRationals) {
     const Rational y =
         (rational(a) * rational(b) - rational(c) * rational(d)) * (rational(a) + rational(e)) -
         rational(e) * rational(b);
-    ASSERT_EQ(x.sign(), sign(y)) << a << ' ' << b << ' ' << c << ' ' << d << ' ' << e;
+    ASSERT_EQ(x.sign(), rational_sign(y)) << a << ' ' << b << ' ' << c << ' ' << d << ' ' << e;
   }
 }
 
@@ -72,7 +72,7 @@ TEST(SignOfDot, AgreesWithRationals) {
       b[k] = any();
       sum += rational(a[k]) * rational(b[k]);
     }
-    ASSERT_EQ(sign_of_dot(a, b, 4), sign(sum));
+    ASSERT_EQ(sign_of_dot(a, b, 4), rational_sign(sum));
   }
 }
 

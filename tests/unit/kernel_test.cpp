@@ -94,7 +94,7 @@ TEST(Kernel, SideOfAPlane) {
   in_many_scenes([](Scene& s) {
     const std::size_t p = s.any_point(), f = s.any_plane();
     ASSERT_EQ(s.kernel->side(PointId(p), PlaneId(f)),
-              sign(dot(s.planes[f].n, s.points[p]) + s.planes[f].d));
+              rational_sign(dot(s.planes[f].n, s.points[p]) + s.planes[f].d));
   });
 }
 
@@ -102,7 +102,7 @@ TEST(Kernel, DeterminantOfNormals) {
   in_many_scenes([](Scene& s) {
     const std::size_t a = s.any_plane(), b = s.any_plane(), c = s.any_plane();
     ASSERT_EQ(s.kernel->det(PlaneId(a), PlaneId(b), PlaneId(c)),
-              sign(dot(s.planes[a].n, cross(s.planes[b].n, s.planes[c].n))));
+              rational_sign(dot(s.planes[a].n, cross(s.planes[b].n, s.planes[c].n))));
   });
 }
 
@@ -111,9 +111,9 @@ TEST(Kernel, CrossProductsOfNormals) {
     const std::size_t a = s.any_plane(), b = s.any_plane();
     const Vector n = cross(s.planes[a].n, s.planes[b].n);
     for (int k = 0; k < 3; ++k)
-      ASSERT_EQ(s.kernel->cross(PlaneId(a), PlaneId(b), k), sign(n[static_cast<std::size_t>(k)]));
+      ASSERT_EQ(s.kernel->cross(PlaneId(a), PlaneId(b), k), rational_sign(n[static_cast<std::size_t>(k)]));
     ASSERT_EQ(s.kernel->parallel(PlaneId(a), PlaneId(b)), (n == Vector{0, 0, 0}));
-    ASSERT_EQ(s.kernel->normal(PlaneId(a), 1), sign(s.planes[a].n[1]));
+    ASSERT_EQ(s.kernel->normal(PlaneId(a), 1), rational_sign(s.planes[a].n[1]));
   });
 }
 
@@ -133,7 +133,7 @@ TEST(Kernel, OrderAndCoincidenceOfPoints) {
     const std::size_t p = s.any_point(), q = s.any_point();
     for (std::size_t k = 0; k < 3; ++k)
       ASSERT_EQ(s.kernel->compare(PointId(p), PointId(q), static_cast<int>(k)),
-                sign(s.points[q][k] - s.points[p][k]));
+                rational_sign(s.points[q][k] - s.points[p][k]));
     ASSERT_EQ(s.kernel->same_point(PointId(p), PointId(q)), s.points[p] == s.points[q]);
   });
 }
@@ -144,7 +144,7 @@ TEST(Kernel, TurnSeenAlongAnAxis) {
     const Vector n = cross(minus(s.points[q], s.points[p]), minus(s.points[r], s.points[p]));
     for (std::size_t k = 0; k < 3; ++k)
       ASSERT_EQ(s.kernel->turn(PointId(p), PointId(q), PointId(r), static_cast<int>(k)),
-                sign(n[k]));
+                rational_sign(n[k]));
   });
 }
 
@@ -160,7 +160,7 @@ TEST(Probe, CrossingsOfLinesWithPlanes) {
     const Probe probe(*s.kernel, PointId(u), PointId(v),
                       Construction{PlaneId(), PlaneId(), PlaneId(f), PointId(u), PointId(v)});
     ASSERT_EQ(probe.side(PlaneId(g)),
-              sign((value(g, u) * at_v - value(g, v) * at_u) / (at_v - at_u)));
+              rational_sign((value(g, u) * at_v - value(g, v) * at_u) / (at_v - at_u)));
   });
 }
 

@@ -21,7 +21,7 @@ inline Rational rational(double value) {
                        : Rational(mantissa, Integer(1) << static_cast<unsigned>(-exponent));
 }
 
-inline Sign sign(const Rational& value) {
+inline Sign rational_sign(const Rational& value) {
   return value > 0 ? Sign::positive : value < 0 ? Sign::negative : Sign::zero;
 }
 
