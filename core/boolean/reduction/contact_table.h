@@ -55,5 +55,7 @@ ContactTable find_contacts(Workspace& w, const FacePairs& candidates);
 void find_places(Workspace& w);
 /// Finds the segments between the contacts of each pair.
 void find_segments(Workspace& w, const ContactTable& table);
+/// Divides the segments at all places within them.
+void split_at_places(Workspace& w);
 
 }  // namespace sectile

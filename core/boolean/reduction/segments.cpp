@@ -178,7 +178,7 @@ class EdgeInPlane {
       : w_(w), kernel_(w.tests()), table_(table), nodes_(nodes), s_(s), out_(out) {}
 
   void operator()(const InPlane& pair) {
-    const Patch &mine = w_.patch[s_], &other = w_.patch[1 - s_];
+    const Patch& other = w_.patch[1 - s_];
     const HalfEdgeId h = Brep::half_edge(pair.edge);
     const Direction along = direction_in(other.plane(pair.face), h);
     find_nodes(pair, h);
@@ -201,7 +201,6 @@ class EdgeInPlane {
       record.end[1 - s_][1] = end_entity(places_[i + 1], at, pair.face, along);
       emit(out_, record);
     }
-    (void)mine;
   }
 
  private:
@@ -288,6 +287,7 @@ void find_segments(Workspace& w, const ContactTable& table) {
 void reduce(Workspace& w, const FacePairs& candidates) {
   const ContactTable table = find_contacts(w, candidates);
   find_segments(w, table);
+  split_at_places(w);
 }
 
 }  // namespace sectile

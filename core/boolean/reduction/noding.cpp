@@ -1,0 +1,103 @@
+// Operands may touch themselves where their structure does not say so: an edge that lies on a face,
+// or on a part of another edge. All entities through a contact place must end their segments there.
+#include <algorithm>
+
+#include "boolean/collect.h"
+#include "boolean/line.h"
+#include "boolean/reduction/contact_table.h"
+
+namespace sectile {
+namespace {
+
+class Noding {
+ public:
+  explicit Noding(const Workspace& w) : w_(w), kernel_(w.tests()) {
+    std::vector<Box> boxes(w.places.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      Bounds bounds;
+      bounds.add(w.geometry.position(w.places[i]));
+      boxes[i] = bounds.box();
+    }
+    tree_ = BoxTree(boxes);
+  }
+
+  void split(const SegmentRecord& record, std::vector<SegmentRecord>& out) const {
+    std::vector<std::uint32_t> inside = places_inside(record);
+    std::uint32_t from = record.place[0];
+    Entity start[2] = {record.end[0][0], record.end[1][0]};
+    inside.push_back(record.place[1]);
+    for (const std::uint32_t to : inside) {
+      SegmentRecord piece = record;
+      const bool last = to == record.place[1];
+      piece.place[0] = from;
+      piece.place[1] = to;
+      for (int s = 0; s < 2; ++s) {
+        piece.end[s][0] = start[s];
+        piece.end[s][1] = last ? record.end[s][1] : record.on[s];
+        start[s] = record.on[s];
+      }
+      if (piece.place[0] > piece.place[1]) {
+        std::swap(piece.place[0], piece.place[1]);
+        for (auto& end : piece.end) std::swap(end[0], end[1]);
+      }
+      out.push_back(piece);
+      from = to;
+    }
+  }
+
+ private:
+  std::pair<PlaneId, PlaneId> line_of(const SegmentRecord& record) const {
+    for (int s = 0; s < 2; ++s)
+      if (record.on[s].is_edge())
+        return line_planes(w_.patch[s], Brep::half_edge(record.on[s].edge()));
+    return {w_.patch[0].plane(record.on[0].face()), w_.patch[1].plane(record.on[1].face())};
+  }
+
+  // Those strictly between the two ends, in order.
+  std::vector<std::uint32_t> places_inside(const SegmentRecord& record) const {
+    const PointId p = w_.point(record.place[0]), q = w_.point(record.place[1]);
+    Bounds bounds;
+    bounds.add(w_.geometry.position(p));
+    bounds.add(w_.geometry.position(q));
+    const Box box = bounds.box();
+    const auto [a, b] = line_of(record);
+    std::vector<std::uint32_t> found;
+    tree_.query([&](const Box& other) { return other.overlaps(box); },
+                [&](std::uint32_t place) {
+                  if (place == record.place[0] || place == record.place[1]) return;
+                  const PointId x = w_.point(place);
+                  if (kernel_.side(x, a) == Sign::zero && kernel_.side(x, b) == Sign::zero)
+                    found.push_back(place);
+                });
+    if (found.empty()) return found;
+    const int axis = kernel_.cross_axis(a, b);
+    const Sign along = kernel_.compare(p, q, axis);
+    std::erase_if(found, [&](std::uint32_t place) {
+      return kernel_.compare(p, w_.point(place), axis) != along ||
+             kernel_.compare(w_.point(place), q, axis) != along;
+    });
+    std::sort(found.begin(), found.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return kernel_.compare(w_.point(i), w_.point(j), axis) == along;
+    });
+    return found;
+  }
+
+  const Workspace& w_;
+  const Kernel& kernel_;
+  BoxTree tree_;
+};
+
+}  // namespace
+
+void split_at_places(Workspace& w) {
+  const Noding noding(w);
+  using Records = std::vector<SegmentRecord>;
+  Records pieces;
+  for (const Records& r : collect<Records>(w.records.size(), 128, [&](std::size_t i, Records&out) {
+         noding.split(w.records[i], out);
+       }))
+    append(pieces, r);
+  w.records = std::move(pieces);
+}
+
+}  // namespace sectile
