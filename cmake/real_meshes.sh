@@ -16,7 +16,7 @@ archive=/usr/share/doc/libcgal-dev/data.tar.gz
 if [[ ! -r "$archive" ]]; then
   unpacked=$(mktemp -d)
   trap 'rm -rf "$unpacked"' EXIT
-  download() { (cd "$unpacked" && apt-get -q download libcgal-demo); }
+  download() { (cd "$unpacked" && apt-get -q -o APT::Sandbox::User=root download libcgal-demo); }
   if ! download; then
     as_root=()
     [[ $EUID -eq 0 ]] || as_root=(sudo)

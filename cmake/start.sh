@@ -17,18 +17,18 @@ echo "The paper's figures 1 and 2:"
 "$sectile" intersect "$scenes"/fig01-a.obj "$scenes"/fig01-b.obj -o out/fig01.obj
 "$sectile" subtract "$scenes"/fig02-a.obj "$scenes"/fig02-b.obj -o out/fig02.obj
 
-cmake/real_meshes.sh out/meshes bunny00 elephant knot1 couplingdown anchor_dense
+cmake/real_meshes.sh out/meshes bunny00 knot1 elephant couplingdown
 echo
 echo "Real meshes, from Debian's package libcgal-demo:"
 "$sectile" subtract out/meshes/bunny00.off out/meshes/knot1.off -o out/bunny-without-knot.off
-"$sectile" union out/meshes/couplingdown.off out/meshes/anchor_dense.off \
-  out/meshes/elephant.off -o out/coupling-with-anchor-and-elephant.off
+"$sectile" union out/meshes/elephant.off out/meshes/couplingdown.off -o out/elephant-with-coupling.off
 
+made=(out/fig01.obj out/fig02.obj out/bunny-without-knot.off out/elephant-with-coupling.off)
 echo
-echo "Are they legal solids again?"
-for file in out/*.obj out/*.off; do
+echo "Read back from the files, with coordinates rounded to doubles:"
+for file in "${made[@]}"; do
   "$sectile" check "$file"
 done
 echo
 echo "Made:"
-ls -l out/*.obj out/*.off
+ls -l "${made[@]}"
