@@ -86,6 +86,7 @@ void cut(Workspace& w, const FacePairs& pairs, std::span<const Operation> wanted
   find_sites(w);
   subdivide_edges(w);
   check(w, "subdivision");
+  bridge_touching_corners(w);
   order_cuts(w);
   insert_null_edges(w);
   check(w, "null edges");

@@ -64,6 +64,8 @@ class Spreading {
       if (c.cut && c.solid == s_)
         for (const HalfEdgeId h : {c.forward, c.backward})
           cut[patch_.root[brep_.face_of(h).value()].value()] = 1;
+    for (const auto& [solid, root] : w_.bridged)
+      if (solid == s_) cut[root.value()] = 1;
     for (const HalfPlane& h : w_.half_planes) {
       if (h.solid != s_) continue;
       const std::uint8_t label = label_(s_, h.cls);
@@ -91,6 +93,8 @@ class Spreading {
     const std::uint8_t label = loaded_[face.value()];
     for_each_in_face(brep_, face, [&](HalfEdgeId h) {
       const HalfEdgeId back = Brep::twin(h);
+      // Parts on both sides of a null edge touch in a point only.
+      if (brep_.point_of(brep_.from(h)) == brep_.point_of(brep_.from(back))) return;
       const FaceId beyond = brep_.face_of(back);
       switch (brep_.kind_of(beyond)) {
         case FaceKind::real:

@@ -33,10 +33,22 @@ Within within_sector(const Kernel& kernel, PlaneId plane, Direction d, Direction
   return from_first == Sign::positive ? Within::inside : Within::outside;
 }
 
+HalfEdgeId previous_with_length(const Brep& brep, HalfEdgeId h) {
+  do h = brep.prev_of(h);
+  while (brep.point_of(brep.from(h)) == brep.point_of(brep.to(h)));
+  return h;
+}
+
+HalfEdgeId next_with_length(const Brep& brep, HalfEdgeId h) {
+  do h = brep.next_of(h);
+  while (brep.point_of(brep.from(h)) == brep.point_of(brep.to(h)));
+  return h;
+}
+
 Within within_corner(const Kernel& kernel, const Patch& patch, HalfEdgeId h, Direction d) {
   const PlaneId plane = patch.brep.plane_of(h);
   return within_sector(kernel, plane, d, direction_of(kernel, patch, h),
-                       -direction_of(kernel, patch, patch.brep.prev_of(h)));
+                       -direction_of(kernel, patch, previous_with_length(patch.brep, h)));
 }
 
 namespace {

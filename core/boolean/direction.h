@@ -24,6 +24,10 @@ bool same_way(const Kernel& kernel, PlaneId plane, Direction a, Direction b);
 /// The direction in which a half-edge runs, within the plane of its face.
 Direction direction_of(const Kernel& kernel, const Patch& patch, HalfEdgeId h);
 
+/// The half-edge before or after h in its loop, passing over null edges.
+HalfEdgeId previous_with_length(const Brep& brep, HalfEdgeId h);
+HalfEdgeId next_with_length(const Brep& brep, HalfEdgeId h);
+
 enum class Within : std::uint8_t { outside, inside, along_first, along_last };
 
 /// Where a direction lies relative to the sector that reaches counter-clockwise from `first` to

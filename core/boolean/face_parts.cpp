@@ -227,6 +227,8 @@ void settle_face_parts(Workspace& w) {
       for (const HalfEdgeId h : {c.forward, c.backward})
         cut[patch.root[patch.brep.face_of(h).value()].value()] = 1;
     }
+    for (const auto& [solid, root] : w.bridged)
+      if (solid == s) cut[root.value()] = 1;
     std::vector<FaceId> parts;
     for (std::size_t f = 0; f < patch.root.size(); ++f)
       if (cut[patch.root[f].value()] && patch.is_real(FaceId(f))) parts.push_back(FaceId(f));

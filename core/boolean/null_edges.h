@@ -13,6 +13,9 @@ namespace sectile {
 void find_sites(Workspace& w);
 /// Steps (1) to (3), (5), (6): subdivides the edges at the sites on them.
 void subdivide_edges(Workspace& w);
+/// Where a face touches itself at a place and several of its vertices there have cuts, null edges
+/// link them so that each corner encloses nothing but a part of the face.
+void bridge_touching_corners(Workspace& w);
 /// Orders the cuts around each site counter-clockwise.
 void order_cuts(Workspace& w);
 /// Inserts the null edges.

@@ -34,6 +34,9 @@ struct Workspace {
   std::vector<CutEnd> cut_ends;
   std::vector<std::pair<std::uint8_t, EdgeId>> null_edges;
 
+  /// The loaded faces in which null edges link corners that touch each other.
+  std::vector<std::pair<std::uint8_t, FaceId>> bridged;
+
   const Kernel& tests() const { return *kernel; }
   PointId point(std::uint32_t place) const { return places[place]; }
 };

@@ -23,11 +23,11 @@ Sign Probe::side(PlaneId plane) const {
   // (u·f(to) - v·f(from)) / (f(to) - f(from)) is the plane's value at the crossing.
   const Estimate &s = at_from_, &t = at_to_;
   const double left = u.value * t.value, right = v.value * s.value;
-  const double error = 4 * 0x1p-53 * (std::abs(left) + std::abs(right)) +
-                       2 * (std::abs(u.value) * t.error + std::abs(t.value) * u.error +
-                            u.error * t.error + std::abs(v.value) * s.error +
-                            std::abs(s.value) * v.error + s.error * v.error) +
-                       8 * 4.9406564584124654e-324;
+  const double error =
+      4 * 0x1p-53 * (std::abs(left) + std::abs(right)) +
+      2 * (std::abs(u.value) * t.error + std::abs(t.value) * u.error + u.error * t.error +
+           std::abs(v.value) * s.error + std::abs(s.value) * v.error + s.error * v.error) +
+      8 * 4.9406564584124654e-324;
   const Estimate crossing{left - right, error};
   if (crossing.decided()) return crossing.sign() * to_side_;
   const ExactPlane& e = kernel_.exact(plane);
@@ -50,7 +50,9 @@ bool equals(const ExactPoint& e, const Vec3& p) {
 
 namespace {
 
-double on_axis(const Vec3& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+double on_axis(const Vec3& p, int axis) {
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
 const Dyadic& on_axis(const ExactPoint& p, int axis) {
   return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }

@@ -111,7 +111,8 @@ TEST(Kernel, CrossProductsOfNormals) {
     const std::size_t a = s.any_plane(), b = s.any_plane();
     const Vector n = cross(s.planes[a].n, s.planes[b].n);
     for (int k = 0; k < 3; ++k)
-      ASSERT_EQ(s.kernel->cross(PlaneId(a), PlaneId(b), k), rational_sign(n[static_cast<std::size_t>(k)]));
+      ASSERT_EQ(s.kernel->cross(PlaneId(a), PlaneId(b), k),
+                rational_sign(n[static_cast<std::size_t>(k)]));
     ASSERT_EQ(s.kernel->parallel(PlaneId(a), PlaneId(b)), (n == Vector{0, 0, 0}));
     ASSERT_EQ(s.kernel->normal(PlaneId(a), 1), rational_sign(s.planes[a].n[1]));
   });

@@ -1,0 +1,107 @@
+// A face may touch itself: several of its vertices, of one loop or of several, are at one place.
+// Each corner then may seem to enclose parts that lie beyond another of them.
+#include <algorithm>
+
+#include "boolean/direction.h"
+#include "boolean/null_edges.h"
+#include "boolean/places.h"
+#include "topology/euler.h"
+
+namespace sectile {
+namespace {
+
+class Bridging {
+ public:
+  explicit Bridging(Workspace& w) : w_(w), kernel_(w.tests()) {}
+
+  void at_place(std::span<const std::uint32_t> sites) {
+    solid_ = w_.sites[sites[0]].solid;
+    corners_.clear();
+    std::size_t vertices = 0;
+    for (const std::uint32_t s : sites) {
+      if (w_.sites[s].entity.is_face()) continue;
+      ++vertices;
+      add_corners(w_.sites[s].vertex);
+    }
+    if (vertices < 2) return;
+    std::stable_sort(corners_.begin(), corners_.end(), [&](HalfEdgeId g, HalfEdgeId h) {
+      return brep().face_of(g) < brep().face_of(h);
+    });
+    // Faces are split on the way; their corners were collected before.
+    std::vector<std::vector<HalfEdgeId>> faces;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      if (i == 0 || brep().face_of(corners_[i]) != brep().face_of(corners_[i - 1]))
+        faces.emplace_back();
+      faces.back().push_back(corners_[i]);
+    }
+    for (const auto& corners : faces)
+      if (corners.size() > 1) link(corners);
+  }
+
+ private:
+  struct Bound {
+    Direction direction;
+    HalfEdgeId h;
+    bool leaves;
+  };
+
+  Patch& patch() { return w_.patch[solid_]; }
+  Brep& brep() { return w_.patch[solid_].brep; }
+
+  void add_corners(VertexId v) {
+    const HalfEdgeId first = brep().vertex_half_edge[v.value()];
+    HalfEdgeId h = first;
+    do {
+      if (patch().is_real(brep().face_of(h)) &&
+          brep().point_of(brep().from(h)) != brep().point_of(brep().to(h)))
+        corners_.push_back(h);
+      h = brep().around(h);
+    } while (h != first);
+  }
+
+  // Each half-edge that arrives must be followed by the one that leaves on the other side of the
+  // part of the face to its left.
+  void link(const std::vector<HalfEdgeId>& corners) {
+    const PlaneId plane = brep().plane_of(corners[0]);
+    std::vector<Bound> bounds;
+    for (const HalfEdgeId h : corners) {
+      const HalfEdgeId before = previous_with_length(brep(), h);
+      bounds.push_back({direction_of(kernel_, patch(), h), h, true});
+      bounds.push_back({-direction_of(kernel_, patch(), before), before, false});
+    }
+    const Direction start = bounds[0].direction;
+    std::stable_sort(bounds.begin() + 1, bounds.end(), [&](const Bound& p, const Bound& q) {
+      return before_counter_clockwise(kernel_, plane, start, p.direction, q.direction);
+    });
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+      const Bound &leaving = bounds[i], &arriving = bounds[i + 1 < bounds.size() ? i + 1 : 0];
+      if (!leaving.leaves || arriving.leaves) continue;
+      if (next_with_length(brep(), arriving.h) != leaving.h)
+        connect(brep().next_of(arriving.h), leaving.h);
+    }
+  }
+
+  void connect(HalfEdgeId from, HalfEdgeId to) {
+    const FaceId root = patch().root[brep().face_of(to).value()];
+    const HalfEdgeId made = Euler(brep()).connect(from, to);
+    patch().side_plane.resize(brep().half_edge_count());
+    patch().half_edge_in_solid.resize(brep().half_edge_count());
+    patch().root.resize(brep().face_count(), root);
+    w_.null_edges.push_back({solid_, Brep::edge_of(made)});
+    w_.bridged.push_back({solid_, root});
+  }
+
+  Workspace& w_;
+  const Kernel& kernel_;
+  std::uint8_t solid_ = 0;
+  std::vector<HalfEdgeId> corners_;
+};
+
+}  // namespace
+
+void bridge_touching_corners(Workspace& w) {
+  Bridging bridging(w);
+  for_each_place(w, [&](std::span<const std::uint32_t> sites) { bridging.at_place(sites); });
+}
+
+}  // namespace sectile
