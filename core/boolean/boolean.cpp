@@ -93,7 +93,6 @@ void cut(Workspace& w, const FacePairs& pairs, std::span<const Operation> wanted
   if (observed) report_null_edges(w);
   step(w, 0.5);
   join_null_edges(w);
-  check(w, "joining");
   if (observed) report_joining(w);
   settle_face_parts(w);
   check(w, "settling the parts of faces");

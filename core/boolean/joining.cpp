@@ -40,6 +40,7 @@ class Joiner {
   void join_across(const CutEnd& p, const CutEnd& q) {
     root_ = carrier_.entity.face();
     const PlaneId across = across_plane();
+    unite_parts(p.first, out(q));
     const HalfEdgeId forward = euler_.connect(p.first, out(q));
     adopt(forward, across, across);
     const bool q_empty = !q.last.valid();
@@ -49,6 +50,12 @@ class Joiner {
     make_null(inner);
     carrier_.forward = forward;
     carrier_.backward = Brep::twin(inner);
+  }
+
+  // A face that was divided before its inner loops were reached has left them in any of its parts.
+  void unite_parts(HalfEdgeId a, HalfEdgeId b) {
+    const FaceId part = patch_.brep.face_of(b);
+    if (patch_.brep.face_of(a) != part) euler_.transfer_loop(patch_.brep.loop_of(a), part);
   }
 
   // The existing edge stays with the face on its other side; its even half-edge, which leaves p, is

@@ -39,7 +39,9 @@ class Euler {
   /// the face. Returns the half-edge from the first vertex to the second.
   HalfEdgeId mevvr(FaceId face, PointId point);
 
-  /// Gives a loop to another face, as its outer loop or as an inner one.
+  /// Gives an inner loop of one part of a face to another part.
+  void transfer_loop(LoopId loop, FaceId face);
+  /// Gives a loop that is in no face's chain to a face, as its outer loop or as an inner one.
   void move_loop(LoopId loop, FaceId face, bool outer);
 
   /// Kill edge and face: the faces on both sides of h become one, h's.

@@ -22,6 +22,11 @@ void Euler::unlink_loop(LoopId l) {
   *at = brep_.next_loop[l.value()];
 }
 
+void Euler::transfer_loop(LoopId loop, FaceId face) {
+  unlink_loop(loop);
+  move_loop(loop, face, false);
+}
+
 void Euler::drop_loop(LoopId l) {
   unlink_loop(l);
   dead_loops_.push_back(l);
