@@ -128,6 +128,7 @@ void Dyadic::normalize() {
   } else if (begin > 0) {
     std::memmove(from, from + begin, size_ * sizeof(Limb));
   }
+  for (std::uint32_t i = size_; i < 2; ++i) inline_[i] = 0;
 }
 
 Dyadic Dyadic::long_sum(const Dyadic& a, const Dyadic& b, bool b_negative) {

@@ -14,8 +14,8 @@ namespace sectile {
 
 class Dyadic {
  public:
-  Dyadic() : heap_(nullptr) {}    ///< zero
-  explicit Dyadic(double value);  ///< exactly; value must be finite
+  Dyadic() { inline_[0] = inline_[1] = 0; }  ///< zero
+  explicit Dyadic(double value);             ///< exactly; value must be finite
   Dyadic(const Dyadic& other) { copy(other); }
   Dyadic(Dyadic&& other) noexcept { take(other); }
   Dyadic& operator=(const Dyadic& other);
@@ -72,13 +72,14 @@ class Dyadic {
   std::int64_t bit_length() const {
     return 64 * std::int64_t(size_) - std::countl_zero(top_limb());
   }
-  Wide wide() const { return size_ == 1 ? Wide(inline_[0]) : Wide(inline_[1]) << 64 | inline_[0]; }
+  Wide wide() const { return Wide(inline_[1]) << 64 | inline_[0]; }  // for up to two limbs
   Limb* allot(std::uint32_t size);  // to a number that holds nothing on the heap
   void normalize();
   void copy(const Dyadic& other);
   void take(Dyadic& other);
 
-  // The lowest limb is never zero, nor is the highest, and no shift would save a limb.
+  // The lowest limb is never zero, nor is the highest, and no shift would save a limb. Behind less
+  // than two limbs there are zeros.
   std::int64_t exponent_ = 0;
   std::uint32_t size_ = 0;
   bool negative_ = false;
@@ -114,7 +115,7 @@ inline Dyadic::Dyadic(bool negative, std::int64_t exponent, Wide mantissa) : neg
   inline_[1] = high;
 }
 
-inline Dyadic::Dyadic(double value) : heap_(nullptr) {
+inline Dyadic::Dyadic(double value) : Dyadic() {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   const auto field = static_cast<std::int64_t>(bits >> 52 & 0x7FFu);
   assert(field != 0x7FF);
@@ -153,8 +154,9 @@ inline void Dyadic::take(Dyadic& other) {
   else if (!on_heap())
     std::memcpy(inline_, other.inline_, size_ * sizeof(Limb));
   else
-    heap_ = std::exchange(other.heap_, nullptr);
+    heap_ = other.heap_;
   other.size_ = 0;
+  other.inline_[0] = other.inline_[1] = 0;
 }
 
 inline Dyadic& Dyadic::operator=(const Dyadic& other) {
@@ -172,20 +174,18 @@ inline Dyadic& Dyadic::operator=(Dyadic&& other) noexcept {
 }
 
 inline Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, bool b_negative) {
-  if (a.size_ - 1 > 1 || b.size_ - 1 > 1) return long_sum(a, b, b_negative);
-  Wide x = a.wide(), y = b.wide();
-  std::int64_t exponent = a.exponent_;
-  if (const std::int64_t shift = a.exponent_ - b.exponent_; shift != 0) {
-    Wide& upper = shift > 0 ? x : y;
-    const std::int64_t up = shift > 0 ? shift : -shift;
-    if (up >= 127 || upper >> (127 - up) != 0) return long_sum(a, b, b_negative);
-    upper <<= up;
-    if (shift > 0) exponent = b.exponent_;
-  }
-  if ((x | y) >> 127 != 0) return long_sum(a, b, b_negative);
-  if (a.negative_ == b_negative) return Dyadic(a.negative_, exponent, x + y);
-  if (x < y) return Dyadic(b_negative, exponent, y - x);
-  return Dyadic(a.negative_, exponent, x - y);
+  if (a.size_ > 2 || b.size_ > 2) return long_sum(a, b, b_negative);
+  const std::int64_t shift = a.exponent_ - b.exponent_;
+  const bool swap = shift < 0;
+  const Wide upper = swap ? b.wide() : a.wide(), lower = swap ? a.wide() : b.wide();
+  const std::int64_t up = swap ? -shift : shift, exponent = swap ? a.exponent_ : b.exponent_;
+  if (up > 126 || upper >> (127 - up) != 0 || lower >> 127 != 0) return long_sum(a, b, b_negative);
+  // Without branches, since signs are hard to foresee.
+  const bool opposite = a.negative_ != b_negative, upper_negative = swap ? b_negative : a.negative_;
+  const Wide flip = -Wide(opposite), total = (upper << up) + ((lower ^ flip) - flip);
+  const bool below = opposite && total >> 127 != 0;
+  const Wide flip_back = -Wide(below);
+  return Dyadic(upper_negative != below, exponent, (total ^ flip_back) - flip_back);
 }
 
 inline Dyadic Dyadic::product(const Dyadic& a, const Dyadic& b) {
