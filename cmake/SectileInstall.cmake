@@ -21,8 +21,9 @@ install(FILES ${PROJECT_BINARY_DIR}/SectileConfig.cmake
 if(TARGET sectile_cli)
   install(TARGETS sectile_cli)
 endif()
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
-        DESTINATION ${CMAKE_INSTALL_DOCDIR})
+set(documents ${CMAKE_INSTALL_DATADIR}/doc/sectile)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${documents})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${documents} RENAME copyright)
 
 set(CPACK_PACKAGE_NAME sectile)
 set(CPACK_PACKAGE_VENDOR "The Sectile authors")
