@@ -1,129 +1,131 @@
-// sectile: exact Booleans of solids in files.
+// The command line program. Its interface is described in docs/cli.md.
 #include <tbb/global_control.h>
 
-#include <CLI/CLI.hpp>
+#include <csignal>
 #include <iostream>
-#include <optional>
+#include <new>
 
-#include "exit_codes.h"
-#include "inputs.h"
-#include "options.h"
+#include "command.h"
+#include "interrupt.h"
+#include "problem.h"
 
 namespace sectile::cli {
 namespace {
 
-class CommandLine {
+constexpr const char* examples = R"(Examples:
+  sectile union bracket.obj bolt.stl nut.ply -o assembly.obj
+  sectile subtract block.off drill1.off drill2.off -o drilled.stl
+  sectile split part.obj --plane 0,0,1,-10 -o above.obj below.obj
+  sectile check part.stl --json
+  sectile convert part.ply -o - --output-format stl-text > part.stl
+  unzip -p parts.zip part.stl | sectile intersect - box.off --input-format stl -o cut.off
+  sectile trace a.obj b.obj --op subtract -o trace.json
+
+Files are OBJ, STL, OFF or PLY by their extension; - is standard input or output,
+OBJ unless --input-format or --output-format says otherwise.
+Outputs appear whole or not at all.
+Exit codes: 0 done, 1 an input is not a legal solid, 2 wrong usage,
+  3 a file cannot be read or written, 4 internal error.
+Help on a command: sectile COMMAND --help)";
+
+void describe(CLI::App& program) {
+  program.description("Exact Boolean operations on polyhedral solids");
+  program.name("sectile");
+  program.set_version_flag("--version", "sectile " SECTILE_VERSION, "print the version");
+  program.set_help_flag("-h,--help", "print this help");
+  program.require_subcommand(1);
+  program.footer(examples);
+}
+
+std::vector<Command> add_commands(CLI::App& program, Options& options) {
+  return {add_boolean_command(program, Operation::unite, options),
+          add_boolean_command(program, Operation::intersect, options),
+          add_boolean_command(program, Operation::subtract, options),
+          add_split_command(program, options),
+          add_check_command(program, options),
+          add_info_command(program, options),
+          add_convert_command(program, options),
+          add_trace_command(program, options)};
+}
+
+// Tells what went wrong: people on standard error, programs on standard output.
+class Failures {
  public:
-  CommandLine() {
-    app_.require_subcommand(1);
-    app_.set_version_flag("--version", "sectile " SECTILE_VERSION);
-    app_.footer(
-        "Examples:\n"
-        "  sectile union bracket.obj rib.obj -o part.obj\n"
-        "  sectile subtract block.stl hole1.stl hole2.stl -o drilled.stl\n"
-        "  sectile split part.off --plane 0,0,1,-5 -o above.off below.off\n"
-        "  sectile check part.ply\n"
-        "Exit: 0 done, 1 not a legal solid, 2 wrong usage, 3 file trouble, 4 internal error,\n"
-        "      5 interrupted. An output file appears whole or not at all.");
-    add_boolean("union", "All points of any of the solids", Operation::unite);
-    add_boolean("intersect", "The points that all solids have in common", Operation::intersect);
-    add_boolean("subtract", "The first solid without the others", Operation::subtract);
-    CLI::App* split = add("split", "The parts of a solid above and below a plane", 1, 2,
-                          [this] { return run_split(options_); });
-    split->add_option("--plane", options_.plane, "a,b,c,d: above is where ax + by + cz + d >= 0")
-        ->delimiter(',')
-        ->required();
-    add("check", "Is the file a legal solid, and if not, where?", 1, 0,
-        [this] { return run_check(options_); });
-    add("info", "Counts, volume and area of a solid", 1, 0, [this] { return run_info(options_); });
-    add("convert", "The same mesh in another format", 1, 1,
-        [this] { return run_convert(options_); });
-    CLI::App* trace = add("trace", "What each phase of an operation does, as JSON", 2, 1,
-                          [this] { return run_trace(options_); });
-    trace->add_option("--op", options_.operation, "union, intersect or subtract")
-        ->check(CLI::IsMember({"union", "intersect", "subtract"}))
-        ->capture_default_str();
+  Failures(std::string command, const Options& options)
+      : command_(std::move(command)), options_(options) {}
+
+  ExitCode tell(ExitCode code, const char* kind, const std::exception& error) const {
+    return tell(code, kind, error, Json::object());
   }
 
-  int run(int argc, char** argv) {
-    try {
-      app_.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-      return app_.exit(error) == 0 ? done : wrong_usage;
-    }
-    std::optional<tbb::global_control> limit;
-    if (options_.threads > 0)
-      limit.emplace(tbb::global_control::max_allowed_parallelism,
-                    static_cast<std::size_t>(options_.threads));
-    return command_();
+  ExitCode tell(const IllegalInput& error) const {
+    Json more{{"file", error.file()}, {"problems", Json::array()}};
+    for (const Problem& problem : error.problems()) more["problems"].push_back(to_json(problem));
+    return tell(ExitCode::not_legal, "not_legal", error, more);
   }
 
  private:
-  CLI::App* add(const std::string& name, const std::string& help, int inputs, int outputs,
-                std::function<int()> command) {
-    CLI::App* sub = app_.add_subcommand(name, help);
-    CLI::Option* in = sub->add_option("files", options_.inputs,
-                                      "Input (.obj, .stl, .off, .ply, or - for standard input)");
-    in->required();
-    if (inputs > 0)
-      in->expected(inputs);
-    else
-      in->expected(2, 1 << 20);
-    if (outputs > 0)
-      sub->add_option("-o,--output", options_.outputs,
-                      "Output, format by extension, or - for standard output")
-          ->required()
-          ->expected(outputs);
-    sub->add_option("--format", options_.format, "Format of standard input and output")
-        ->check(CLI::IsMember({"obj", "stl", "off", "ply"}))
-        ->capture_default_str();
-    sub->add_option("--threads", options_.threads, "Number of threads (0: all cores)")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    sub->add_flag("--json", options_.json, "Say what was made as JSON");
-    sub->add_flag("--quiet", options_.quiet, "Say nothing but errors");
-    sub->add_flag("--validate", options_.validate, "Check all invariants after every phase");
-    sub->callback([this, command] { command_ = command; });
-    return sub;
+  ExitCode tell(ExitCode code, const char* kind, const std::exception& error,
+                const Json& more) const {
+    std::cerr << "sectile: " << error.what() << '\n';
+    if (options_.json) {
+      Json json{{"command", command_},
+                {"exit_code", static_cast<int>(code)},
+                {"error", {{"kind", kind}, {"message", error.what()}}}};
+      json["error"].update(more);
+      std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    }
+    return code;
   }
 
-  void add_boolean(const std::string& name, const std::string& help, Operation operation) {
-    add(name, help, 0, 1, [this, operation] { return run_boolean(options_, operation); });
-  }
-
-  CLI::App app_{"Exact Boolean operations on polyhedral solids", "sectile"};
-  Options options_;
-  std::function<int()> command_;
+  std::string command_;
+  const Options& options_;
 };
 
-int guarded(int argc, char** argv) {
+ExitCode run(const Command& command, const Options& options) {
+  const Failures failures(command.app->get_name(), options);
+  std::optional<tbb::global_control> limit;
+  if (options.threads)
+    limit.emplace(tbb::global_control::max_allowed_parallelism, *options.threads);
   try {
-    return CommandLine().run(argc, argv);
-  } catch (const BadInput& error) {
-    std::cerr << error.what() << '\n';
-    return not_a_solid;
+    return command.run();
+  } catch (const IllegalInput& error) {
+    return failures.tell(error);
+  } catch (const UsageError& error) {
+    return failures.tell(ExitCode::wrong_usage, "wrong_usage", error);
   } catch (const FileError& error) {
-    std::cerr << error.what() << '\n';
-    return file_trouble;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << error.what() << '\n';
-    return wrong_usage;
+    return failures.tell(ExitCode::file_failure, "file", error);
   } catch (const Cancelled&) {
-    std::cerr << "interrupted; nothing was written\n";
-    return cancelled;
-  } catch (const InternalError& error) {
-    std::cerr << "internal error: " << error.what()
-              << "\nIf `sectile check` finds the inputs legal, please report this.\n";
-    return internal;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "out of memory\n";
-    return internal;
+    std::cerr << "sectile: interrupted; nothing was written\n";
+    end_by_signal();
+  } catch (const std::bad_alloc& error) {
+    return failures.tell(ExitCode::internal_failure, "out_of_memory", error);
+  } catch (const std::exception& error) {
+    return failures.tell(ExitCode::internal_failure, "internal", error);
   }
+}
+
+int run(int count, char** arguments) {
+  // A reader that goes away is an error of writing, not the end of the program.
+  std::signal(SIGPIPE, SIG_IGN);
+  CLI::App program;
+  Options options;
+  describe(program);
+  const std::vector<Command> commands = add_commands(program, options);
+  try {
+    program.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    const bool done = program.exit(error) == 0;  // prints help, the version or what is wrong
+    return static_cast<int>(done ? ExitCode::done : ExitCode::wrong_usage);
+  }
+  for (const Command& command : commands)
+    if (command.app->parsed()) return static_cast<int>(run(command, options));
+  return static_cast<int>(ExitCode::wrong_usage);
 }
 
 }  // namespace
 }  // namespace sectile::cli
 
-int main(int argc, char** argv) {
-  return sectile::cli::guarded(argc, argv);
+int main(int count, char** arguments) {
+  return sectile::cli::run(count, arguments);
 }

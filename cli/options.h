@@ -1,28 +1,27 @@
-// What the command line says.
+// Options that several commands share, so that they mean the same everywhere.
 #pragma once
 
-#include <array>
-#include <string>
-#include <vector>
+#include <CLI/CLI.hpp>
 
-#include "sectile/sectile.h"
+#include <optional>
+#include <string>
+
+#include "sectile/files.h"
 
 namespace sectile::cli {
 
 struct Options {
-  std::vector<std::string> inputs, outputs;
-  std::string format = "obj";  ///< of standard input and output
-  std::string operation = "union";
-  std::array<double, 4> plane{0, 0, 1, 0};
-  bool json = false, quiet = false, validate = false;
-  int threads = 0;
+  bool json = false;
+  bool quiet = false;
+  bool validate = false;
+  std::optional<unsigned> threads;
+  std::optional<FileFormat> input_format, output_format;
 };
 
-int run_boolean(const Options& options, Operation operation);
-int run_split(const Options& options);
-int run_check(const Options& options);
-int run_info(const Options& options);
-int run_convert(const Options& options);
-int run_trace(const Options& options);
+/// --json, --quiet and --threads.
+void add_reporting(CLI::App& command, Options& options);
+void add_validate(CLI::App& command, Options& options, const std::string& help);
+void add_input_format(CLI::App& command, Options& options);
+void add_output_format(CLI::App& command, Options& options);
 
 }  // namespace sectile::cli

@@ -1,23 +1,35 @@
-// What the program says of solids.
+// What is said about solids that were read or written, for people and for programs.
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "sectile/sectile.h"
+#include "options.h"
+#include "problem.h"
+#include "sectile/solid.h"
 
 namespace sectile::cli {
 
-struct Summary {
-  SolidCounts counts;
-  std::size_t triangles = 0, degenerate = 0;
-  double volume = 0, area = 0;
+/// The shortest decimal that reads back as the same double.
+std::string in_words(double value);
+/// "1 shell", "2 shells".
+std::string counted(std::size_t count, const std::string& what);
+std::string counted(std::size_t count, const std::string& one, const std::string& many);
+
+Json to_json(const Solid& solid);
+
+/// A solid that was written as triangles.
+struct Written {
+  std::string file;
+  Solid solid;
+  std::size_t triangles = 0;
+  std::size_t degenerate_triangles = 0;
 };
+std::string in_words(const Written& written);
+Json to_json(const Written& written);
 
-/// Also counts the triangles of the export that rounding to doubles left without area.
-Summary summarize(const Solid& solid, const PolygonMesh& mesh);
-
-/// One line in words, or one JSON object.
-std::string in_words(const std::string& name, const Summary& summary);
-std::string in_json(const std::string& name, const Summary& summary);
+/// Prints the summary of a command that wrote solids, as the options ask for.
+void report(const std::string& command, const std::vector<std::string>& inputs,
+            const std::vector<Written>& outputs, const Options& options);
 
 }  // namespace sectile::cli

@@ -1,0 +1,75 @@
+// sectile union | intersect | subtract
+#include <memory>
+
+#include "careful_work.h"
+#include "command.h"
+#include "fold.h"
+#include "input.h"
+#include "output.h"
+#include "write_solids.h"
+
+namespace sectile::cli {
+namespace {
+
+struct Words {
+  const char *name, *description;
+};
+
+Words words_for(Operation operation) {
+  switch (operation) {
+    case Operation::unite:
+      return {"union", "The union of all operands"};
+    case Operation::intersect:
+      return {"intersect", "The intersection of all operands"};
+    case Operation::subtract:
+      break;
+  }
+  return {"subtract", "The first operand minus all others"};
+}
+
+struct Arguments {
+  std::vector<std::string> operands;
+  std::string output;
+};
+
+ExitCode run(const Arguments& arguments, Operation operation, const Options& options) {
+  check_inputs(arguments.operands);
+  check_mesh_outputs({arguments.output}, options);
+  Progress progress(!options.quiet);
+  const Operands operands{arguments.operands, read_solids(arguments.operands, options, progress)};
+
+  const Interrupt interrupt;
+  progress.stage(words_for(operation).name);
+  const Solid result =
+      run_carefully(operands, options, progress, interrupt, [&](const BooleanOptions& how) {
+        return std::vector<Solid>{fold(operands.solids, operation, how)};
+      }).front();
+  report(words_for(operation).name, arguments.operands,
+         write_solids({{arguments.output, result}}, options, progress, interrupt), options);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Command add_boolean_command(CLI::App& program, Operation operation, Options& options) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* app =
+      program.add_subcommand(words_for(operation).name, words_for(operation).description);
+  app->add_option("operands", arguments->operands,
+                  "files of two or more solids; - is standard input")
+      ->required()
+      ->expected(2, -1)
+      ->type_name("A B...");
+  app->add_option("-o,--output", arguments->output, "file of the result; - is standard output")
+      ->required()
+      ->type_name("C");
+  add_input_format(*app, options);
+  add_output_format(*app, options);
+  add_validate(*app, options,
+               "check that no faces of the operands cross, all invariants after every phase, and "
+               "the result");
+  add_reporting(*app, options);
+  return {app, [=, &options] { return run(*arguments, operation, options); }};
+}
+
+}  // namespace sectile::cli

@@ -1,0 +1,125 @@
+// sectile info: what is in a file, legal or not.
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "command.h"
+#include "file_formats.h"
+#include "input.h"
+#include "summary.h"
+
+namespace sectile::cli {
+namespace {
+
+struct Box {
+  Vec3 low, high;
+};
+
+struct MeshFacts {
+  std::size_t positions = 0, faces = 0, triangles = 0, quadrilaterals = 0, larger = 0;
+  std::uint32_t most_corners = 0;
+  Box box;
+};
+
+void extend(Box& box, const Vec3& p) {
+  box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+  box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+}
+
+MeshFacts facts_of(const PolygonMesh& mesh) {
+  MeshFacts facts;
+  facts.positions = mesh.positions.size();
+  facts.faces = mesh.face_sizes.size();
+  for (const std::uint32_t size : mesh.face_sizes) {
+    ++(size == 3 ? facts.triangles : size == 4 ? facts.quadrilaterals : facts.larger);
+    facts.most_corners = std::max(facts.most_corners, size);
+  }
+  if (!mesh.positions.empty()) facts.box = {mesh.positions.front(), mesh.positions.front()};
+  for (const Vec3& p : mesh.positions) extend(facts.box, p);
+  return facts;
+}
+
+std::string in_words(const Vec3& p) {
+  return "(" + cli::in_words(p.x) + ", " + cli::in_words(p.y) + ", " + cli::in_words(p.z) + ")";
+}
+
+void print_facts(const std::string& name, const std::string& kind, const MeshFacts& facts) {
+  std::cout << name << ": " << kind << '\n'
+            << "  " << counted(facts.positions, "position") << ", " << counted(facts.faces, "face")
+            << " (" << counted(facts.triangles, "triangle") << ", "
+            << counted(facts.quadrilaterals, "quadrilateral") << ", " << facts.larger
+            << " larger; at most " << counted(facts.most_corners, "corner") << ")\n";
+  if (facts.positions > 0)
+    std::cout << "  from " << in_words(facts.box.low) << " to " << in_words(facts.box.high) << '\n';
+}
+
+void print_solid(const Solid& solid) {
+  const SolidCounts counts = solid.counts();
+  std::cout << "  a solid of " << counted(counts.vertices, "vertex", "vertices") << ", "
+            << counted(counts.edges, "edge") << ", " << counted(counts.faces, "face") << ", "
+            << counted(counts.shells, "shell") << ", genus " << counts.genus << ", volume "
+            << cli::in_words(solid.volume()) << ", area " << cli::in_words(solid.area()) << '\n';
+}
+
+Json json_of(const std::string& name, const std::string& kind, const MeshFacts& facts) {
+  Json json{{"command", "info"},
+            {"exit_code", 0},
+            {"file", name},
+            {"format", kind},
+            {"positions", facts.positions},
+            {"faces", facts.faces},
+            {"triangles", facts.triangles},
+            {"quadrilaterals", facts.quadrilaterals},
+            {"larger_faces", facts.larger},
+            {"most_corners", facts.most_corners}};
+  const auto& [low, high] = facts.box;
+  if (facts.positions > 0)
+    json["box"] = {{"low", {low.x, low.y, low.z}}, {"high", {high.x, high.y, high.z}}};
+  return json;
+}
+
+// Text and binary files of a kind are told apart by content, so this names only the kind.
+std::string kind_of(FileFormat format) {
+  const std::string& name = name_of(format);
+  return name.substr(0, name.find('-'));
+}
+
+ExitCode run(const std::string& name, const Options& options) {
+  check_inputs({name});
+  Progress progress(!options.quiet);
+  progress.stage("reading " + name);
+  const PolygonMesh mesh = read_input(name, options);
+  const std::string kind = kind_of(input_format(name, options));
+  const MeshFacts facts = facts_of(mesh);
+  Json json = json_of(name, kind, facts);
+  if (!options.json && !options.quiet) print_facts(name, kind, facts);
+  try {
+    const Solid solid = import_input(name, mesh, false);
+    json["solid"] = to_json(solid);
+    if (!options.json && !options.quiet) print_solid(solid);
+  } catch (const IllegalInput& error) {
+    const Problem& problem = error.problems().front();
+    json["solid"] = nullptr;
+    json["problem"] = to_json(problem);
+    if (!options.json && !options.quiet)
+      std::cout << "  not a legal solid: " << cli::in_words(problem) << '\n';
+  }
+  if (options.json) std::cout << json.dump() << '\n';
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Command add_info_command(CLI::App& program, Options& options) {
+  const auto name = std::make_shared<std::string>();
+  CLI::App* app = program.add_subcommand(
+      "info", "What a file holds: format, faces, extent, and the solid they bound, if they do");
+  app->add_option("file", *name, "file to describe; - is standard input")
+      ->required()
+      ->type_name("FILE");
+  add_input_format(*app, options);
+  add_reporting(*app, options);
+  return {app, [=, &options] { return run(*name, options); }};
+}
+
+}  // namespace sectile::cli

@@ -1,0 +1,122 @@
+#include "output.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include "problem.h"
+#include "staged_file.h"
+
+namespace sectile::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_standard(const std::string& name) {
+  return name == "-";
+}
+
+[[noreturn]] void cannot_write(const std::string& name, const std::string& why) {
+  throw FileError(name + ": cannot write: " + why);
+}
+
+// Devices and pipes must not be replaced by files.
+bool is_special(const std::string& name) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(name, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+void check_place(const std::string& name) {
+  std::error_code ignored;
+  if (fs::is_directory(name, ignored)) cannot_write(name, "it is a directory");
+  const fs::path folder = fs::path(name).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, ignored))
+    cannot_write(name, "there is no directory " + folder.string());
+}
+
+void write_stream(std::ostream& out, const std::string& name, const std::string& content) {
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  out.flush();
+  if (!out) cannot_write(name, "the device or pipe takes no more");
+}
+
+void write_special(const Output& output) {
+  if (is_standard(output.name)) {
+    write_stream(std::cout, "standard output", output.content);
+    return;
+  }
+  std::ofstream out(output.name, std::ios::binary);
+  write_stream(out, output.name, output.content);
+}
+
+// Rounding to floats must not make numbers that no reader takes.
+void require_floats(const std::string& name, const PolygonMesh& mesh) {
+  constexpr double most = std::numeric_limits<float>::max();
+  for (const Vec3& p : mesh.positions)
+    if (std::abs(p.x) > most || std::abs(p.y) > most || std::abs(p.z) > most)
+      cannot_write(name, "binary STL holds no coordinates beyond 3.4e38; use another format");
+}
+
+}  // namespace
+
+void check_outputs(const std::vector<std::string>& names, const Options& options) {
+  std::set<fs::path> seen;
+  for (const std::string& name : names) {
+    std::error_code ignored;
+    if (!seen.insert(is_standard(name) ? fs::path(name) : fs::weakly_canonical(name, ignored))
+             .second)
+      throw UsageError("two outputs have the same name: " + name);
+    if (is_standard(name) && options.json)
+      throw UsageError("--json and the output - both want standard output");
+    if (!is_standard(name)) check_place(name);
+  }
+}
+
+void check_mesh_outputs(const std::vector<std::string>& names, const Options& options) {
+  for (const std::string& name : names) output_format(name, options);
+  check_outputs(names, options);
+}
+
+FileFormat output_format(const std::string& name, const Options& options) {
+  if (options.output_format) return *options.output_format;
+  return is_standard(name) ? FileFormat::obj : format_of(name);
+}
+
+Output rendered(const std::string& name, const PolygonMesh& mesh, const Options& options) {
+  const FileFormat format = output_format(name, options);
+  if (format == FileFormat::stl_binary) require_floats(name, mesh);
+  std::ostringstream out;
+  write_mesh(out, format, mesh, name);
+  return {name, std::move(out).str()};
+}
+
+void write_outputs(const std::vector<Output>& outputs) {
+  std::vector<std::unique_ptr<StagedFile>> files;
+  std::vector<const Output*> special;
+  for (const Output& output : outputs)
+    if (is_standard(output.name) || is_special(output.name))
+      special.push_back(&output);
+    else
+      files.push_back(std::make_unique<StagedFile>(output.name, output.content));
+  // What went down a pipe cannot be taken back, so this must not follow a file in its place.
+  for (const Output* output : special) write_special(*output);
+  try {
+    for (const auto& file : files) file->place(files.size() > 1);
+  } catch (const FileError&) {
+    for (const auto& file : files) file->undo();
+    throw;
+  }
+}
+
+bool uses_standard_output(const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(), is_standard);
+}
+
+}  // namespace sectile::cli

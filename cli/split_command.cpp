@@ -1,0 +1,86 @@
+// sectile split
+#include <charconv>
+#include <cmath>
+#include <memory>
+
+#include "careful_work.h"
+#include "command.h"
+#include "input.h"
+#include "output.h"
+#include "write_solids.h"
+
+namespace sectile::cli {
+namespace {
+
+struct Arguments {
+  std::string operand, plane;
+  std::vector<std::string> outputs;
+};
+
+// Numbers are rounded correctly, as in files, so that planes meet the points they should.
+HalfSpace plane_from(const std::string& text) {
+  HalfSpace plane;
+  const char *at = text.data(), *const end = at + text.size();
+  for (double* coefficient : {&plane.a, &plane.b, &plane.c, &plane.d}) {
+    if (coefficient != &plane.a && (at == end || *at++ != ','))
+      throw UsageError("--plane needs four numbers a,b,c,d, not \"" + text + "\"");
+    const auto [rest, error] = std::from_chars(at, end, *coefficient);
+    if (error != std::errc() || !std::isfinite(*coefficient))
+      throw UsageError("--plane needs four finite numbers a,b,c,d, not \"" + text + "\"");
+    at = rest;
+  }
+  if (at != end) throw UsageError("--plane needs no more than a,b,c,d, not \"" + text + "\"");
+  if (plane.a == 0 && plane.b == 0 && plane.c == 0)
+    throw UsageError("the normal (a,b,c) of --plane is zero");
+  return plane;
+}
+
+ExitCode run(const Arguments& arguments, const Options& options) {
+  const HalfSpace plane = plane_from(arguments.plane);
+  check_inputs({arguments.operand});
+  check_mesh_outputs(arguments.outputs, options);
+  Progress progress(!options.quiet);
+  const Operands operands{{arguments.operand}, read_solids({arguments.operand}, options, progress)};
+
+  const Interrupt interrupt;
+  progress.stage("split");
+  const std::vector<Solid> parts =
+      run_carefully(operands, options, progress, interrupt, [&](const BooleanOptions& how) {
+        const auto [above, below] = split(operands.solids.front(), plane, how);
+        return std::vector<Solid>{above, below};
+      });
+  report("split", {arguments.operand},
+         write_solids({{arguments.outputs[0], parts[0]}, {arguments.outputs[1], parts[1]}}, options,
+                      progress, interrupt),
+         options);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Command add_split_command(CLI::App& program, Options& options) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* app =
+      program.add_subcommand("split", "The two parts of a solid on the sides of a plane");
+  app->add_option("operand", arguments->operand, "file of the solid; - is standard input")
+      ->required()
+      ->type_name("A");
+  app->add_option("--plane", arguments->plane,
+                  "the plane ax + by + cz + d = 0; above it, ax + by + cz + d is positive")
+      ->required()
+      ->type_name("a,b,c,d");
+  app->add_option("-o,--output", arguments->outputs,
+                  "files of the parts above and below; one of them may be -, standard output")
+      ->required()
+      ->expected(2)
+      ->type_name("ABOVE BELOW");
+  add_input_format(*app, options);
+  add_output_format(*app, options);
+  add_validate(*app, options,
+               "check that no faces of the solid cross, all invariants after every phase, and the "
+               "parts");
+  add_reporting(*app, options);
+  return {app, [=, &options] { return run(*arguments, options); }};
+}
+
+}  // namespace sectile::cli

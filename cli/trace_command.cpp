@@ -1,0 +1,84 @@
+// sectile trace
+#include "sectile/trace.h"
+
+#include <map>
+#include <memory>
+#include <sstream>
+
+#include "command.h"
+#include "input.h"
+#include "output.h"
+#include "problem.h"
+
+namespace sectile::cli {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> operands;
+  Operation operation = Operation::unite;
+  std::string output;
+};
+
+const std::map<std::string, Operation>& operations() {
+  static const std::map<std::string, Operation> names{{"union", Operation::unite},
+                                                      {"intersect", Operation::intersect},
+                                                      {"subtract", Operation::subtract}};
+  return names;
+}
+
+std::string traced(const std::vector<Solid>& solids, const Arguments& arguments) {
+  std::ostringstream out;
+  try {
+    write_trace(out, solids[0], solids[1], arguments.operation);
+  } catch (const InternalError&) {
+    for (std::size_t i = 0; i < solids.size(); ++i) require_legal(arguments.operands[i], solids[i]);
+    throw;
+  }
+  return std::move(out).str();
+}
+
+ExitCode run(const Arguments& arguments, const Options& options) {
+  check_inputs(arguments.operands);
+  check_outputs({arguments.output}, options);
+  Progress progress(!options.quiet);
+  const std::vector<Solid> solids = read_solids(arguments.operands, options, progress);
+  progress.stage("trace");
+  const std::string trace = traced(solids, arguments);
+  write_outputs({{arguments.output, trace}});
+  if (options.json)
+    std::cout << Json{{"command", "trace"},
+                      {"exit_code", 0},
+                      {"inputs", arguments.operands},
+                      {"output", arguments.output},
+                      {"bytes", trace.size()}}
+                     .dump()
+              << '\n';
+  else if (!options.quiet && !uses_standard_output({arguments.output}))
+    std::cout << arguments.output << ": trace of the operation, " << trace.size() << " bytes\n";
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Command add_trace_command(CLI::App& program, Options& options) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* app =
+      program.add_subcommand("trace", "What every phase of an operation finds and does, as JSON");
+  app->add_option("operands", arguments->operands, "files of two solids; - is standard input")
+      ->required()
+      ->expected(2)
+      ->type_name("A B");
+  app->add_option("--op", arguments->operation, "the operation: union, intersect or subtract")
+      ->required()
+      ->transform(CLI::Transformer(operations()))
+      ->type_name("OPERATION");
+  app->add_option("-o,--output", arguments->output, "file of the trace; - is standard output")
+      ->required()
+      ->type_name("T.json");
+  add_input_format(*app, options);
+  add_validate(*app, options, "check that no faces of the operands cross");
+  add_reporting(*app, options);
+  return {app, [=, &options] { return run(*arguments, options); }};
+}
+
+}  // namespace sectile::cli

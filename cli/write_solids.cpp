@@ -1,0 +1,38 @@
+#include "write_solids.h"
+
+#include <algorithm>
+
+#include "degenerate.h"
+#include "output.h"
+
+namespace sectile::cli {
+
+std::vector<Written> write_solids(const std::vector<std::pair<std::string, Solid>>& solids,
+                                  const Options& options, Progress& progress,
+                                  const Interrupt& interrupt) {
+  std::vector<Written> written;
+  std::vector<Output> outputs;
+  for (const auto& [name, solid] : solids) {
+    progress.stage("writing " + name);
+    const PolygonMesh mesh = solid.to_mesh();
+    written.push_back({name, solid, mesh.face_sizes.size(),
+                       count_degenerate_triangles(mesh, output_format(name, options))});
+    outputs.push_back(rendered(name, mesh, options));
+    interrupt.check();
+  }
+  write_outputs(outputs);
+  return written;
+}
+
+std::vector<Written> write_faces(const std::string& name, const Solid& solid,
+                                 const PolygonMesh& mesh, const Options& options,
+                                 const Interrupt& interrupt) {
+  const Output output = rendered(name, mesh, options);
+  interrupt.check();
+  write_outputs({output});
+  const auto triangles = static_cast<std::size_t>(
+      std::count(mesh.face_sizes.begin(), mesh.face_sizes.end(), std::uint32_t{3}));
+  return {{name, solid, triangles, 0}};
+}
+
+}  // namespace sectile::cli

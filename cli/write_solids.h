@@ -1,0 +1,25 @@
+// From solids to files of triangles.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "interrupt.h"
+#include "options.h"
+#include "progress.h"
+#include "summary.h"
+
+namespace sectile::cli {
+
+/// Writes every solid into its file, or none of them.
+std::vector<Written> write_solids(const std::vector<std::pair<std::string, Solid>>& solids,
+                                  const Options& options, Progress& progress,
+                                  const Interrupt& interrupt);
+
+/// Writes a solid as the polygons from which it was read.
+std::vector<Written> write_faces(const std::string& name, const Solid& solid,
+                                 const PolygonMesh& mesh, const Options& options,
+                                 const Interrupt& interrupt);
+
+}  // namespace sectile::cli
