@@ -1,0 +1,93 @@
+// What is to be drawn, as plain data. The renderer draws pictures and knows nothing of solids; all
+// others make pictures and know nothing of OpenGL.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "picture/camera.h"
+
+namespace sectile::viewer {
+
+/// Linear RGBA, not premultiplied.
+using Colour = glm::vec4;
+
+/// The triangles and hard edges of a surface. Immutable once shared; the renderer keeps its buffers
+/// as long as someone holds the mesh.
+struct SurfaceMesh {
+  std::vector<glm::vec3> positions;      ///< three for each triangle, flat shaded
+  std::vector<glm::vec3> normals;        ///< one for each position
+  std::vector<glm::vec3> hard_edges;     ///< two for each edge
+  std::vector<std::uint32_t> faces;      ///< one for each triangle: the solid's face (for picking)
+  Bounds bounds;
+};
+
+/// A surface placed in the world.
+struct Surface {
+  std::shared_ptr<const SurfaceMesh> mesh;
+  glm::dmat4 model{1};
+  Colour colour{0.7f, 0.7f, 0.7f, 1};
+  bool translucent = false;   ///< drawn with colour.a, sorted correctly against other translucent ones
+  bool edges = true;          ///< hard edges; hidden ones dimmed
+  bool faces = true;          ///< false: wireframe
+  bool highlighted = false;   ///< outlined (selection or hover)
+};
+
+/// Line segments of one colour and width (pixels at 100 % scale).
+struct Lines {
+  std::vector<glm::vec3> ends;  ///< two for each segment
+  Colour colour{0, 0, 0, 1};
+  float width = 2;
+  bool on_top = false;  ///< also seen through surfaces, dimmed there
+};
+
+/// Round marks of one colour and size (pixels at 100 % scale).
+struct Points {
+  std::vector<glm::vec3> places;
+  Colour colour{0, 0, 0, 1};
+  float size = 8;
+  bool on_top = true;
+};
+
+/// A text at a place in the world, drawn over the picture.
+struct Label {
+  glm::dvec3 place{0};
+  std::string text;
+  Colour colour{0, 0, 0, 1};
+};
+
+/// Cuts away what lies on the positive side of n·p + d = 0.
+struct SectionPlane {
+  bool active = false;
+  glm::dvec4 plane{1, 0, 0, 0};
+};
+
+/// Colours of the surroundings; see theme.h.
+struct Surroundings {
+  Colour background_top{0.93f, 0.95f, 0.97f, 1}, background_bottom{0.80f, 0.84f, 0.88f, 1};
+  Colour grid{0.55f, 0.58f, 0.62f, 0.55f};
+  Colour edge{0.10f, 0.11f, 0.13f, 1};
+  bool show_grid = true, show_axes = true;
+  double grid_step = 1;
+};
+
+/// How much care a frame takes: while something moves, less.
+enum class Quality : std::uint8_t { fast, full };
+
+struct Picture {
+  Camera camera;
+  std::vector<Surface> surfaces;
+  std::vector<Lines> lines;
+  std::vector<Points> points;
+  std::vector<Label> labels;  ///< drawn by the user interface layer
+  SectionPlane section;
+  Surroundings surroundings;
+  Quality quality = Quality::full;
+
+  Bounds bounds() const;  ///< of surfaces, lines and points
+};
+
+}  // namespace sectile::viewer

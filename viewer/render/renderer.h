@@ -1,0 +1,40 @@
+// Draws pictures and the user interface with OpenGL into the current frame buffer.
+#pragma once
+
+#include <memory>
+
+#include "picture/picture.h"
+#include "render/graphics_context.h"
+
+struct ImDrawData;
+
+namespace sectile::viewer {
+
+/// The rectangle of the frame buffer that a picture fills, in pixels from the top left.
+struct Viewport {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+class Renderer {
+ public:
+  /// The context must outlive the renderer.
+  explicit Renderer(GraphicsContext& context);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  void begin_frame();                                   ///< makes the context current, clears
+  void draw(const Picture& picture, const Viewport& viewport);
+  void draw(const ImDrawData& interface);               ///< the font texture included
+  Image read_frame();                                   ///< what was drawn since begin_frame
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// Writes a PNG whole or not at all; throws std::runtime_error.
+void write_png(const std::string& path, const Image& image);
+Image read_png(const std::string& path);
+
+}  // namespace sectile::viewer
