@@ -23,9 +23,9 @@ struct Bounds {
 struct Camera {
   glm::dvec3 target{0};
   double distance = 8;
-  double azimuth = -1.0472;   ///< around z; 0 looks from +x
-  double elevation = 0.5236;  ///< above the xy plane
-  double field_of_view = 0.6; ///< vertical
+  double azimuth = -1.0472;    ///< around z; 0 looks from +x
+  double elevation = 0.5236;   ///< above the xy plane
+  double field_of_view = 0.6;  ///< vertical
   bool orthographic = false;
 
   glm::dvec3 position() const;

@@ -12,16 +12,16 @@
 
 namespace sectile::viewer {
 
-/// Linear RGBA, not premultiplied.
+/// RGBA as style sheets have it (the screen's values), not premultiplied.
 using Colour = glm::vec4;
 
 /// The triangles and hard edges of a surface. Immutable once shared; the renderer keeps its buffers
 /// as long as someone holds the mesh.
 struct SurfaceMesh {
-  std::vector<glm::vec3> positions;      ///< three for each triangle, flat shaded
-  std::vector<glm::vec3> normals;        ///< one for each position
-  std::vector<glm::vec3> hard_edges;     ///< two for each edge
-  std::vector<std::uint32_t> faces;      ///< one for each triangle: the solid's face (for picking)
+  std::vector<glm::vec3> positions;   ///< three for each triangle, flat shaded
+  std::vector<glm::vec3> normals;     ///< one for each position
+  std::vector<glm::vec3> hard_edges;  ///< two for each edge
+  std::vector<std::uint32_t> faces;   ///< one for each triangle: the solid's face (for picking)
   Bounds bounds;
 };
 
@@ -30,10 +30,11 @@ struct Surface {
   std::shared_ptr<const SurfaceMesh> mesh;
   glm::dmat4 model{1};
   Colour colour{0.7f, 0.7f, 0.7f, 1};
-  bool translucent = false;   ///< drawn with colour.a, sorted correctly against other translucent ones
-  bool edges = true;          ///< hard edges; hidden ones dimmed
-  bool faces = true;          ///< false: wireframe
-  bool highlighted = false;   ///< outlined (selection or hover)
+  bool translucent =
+      false;          ///< drawn with colour.a, sorted correctly against other translucent ones
+  bool edges = true;  ///< hard edges; hidden ones dimmed
+  bool faces = true;  ///< false: wireframe
+  bool highlighted = false;  ///< outlined (selection or hover)
 };
 
 /// Line segments of one colour and width (pixels at 100 % scale).

@@ -1,0 +1,110 @@
+#include "picture/surface_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sectile::viewer {
+namespace {
+
+// An edge of a triangle, to be matched with the others along the same two vertices.
+struct Side {
+  std::uint64_t vertices;  // the smaller index in the upper half
+  std::uint32_t triangle;
+};
+
+glm::dvec3 to_glm(const Vec3& p) {
+  return {p.x, p.y, p.z};
+}
+
+struct Triangles {
+  PolygonMesh mesh;
+  std::vector<FaceSource> sources;
+  std::vector<glm::dvec3> normals;
+  std::vector<bool> slivers;  // so thin that rounding turned the normal
+
+  std::size_t size() const { return mesh.face_sizes.size(); }
+  glm::dvec3 corner(std::size_t triangle, std::size_t i) const {
+    return to_glm(mesh.positions[mesh.indices[3 * triangle + i]]);
+  }
+};
+
+void compute_normals(Triangles& triangles) {
+  triangles.normals.resize(triangles.size());
+  triangles.slivers.resize(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const glm::dvec3 a = triangles.corner(t, 0), b = triangles.corner(t, 1),
+                     c = triangles.corner(t, 2);
+    const glm::dvec3 n = glm::cross(b - a, c - a);
+    const double length = glm::length(n);
+    const double longest =
+        std::max({glm::dot(b - a, b - a), glm::dot(c - a, c - a), glm::dot(c - b, c - b)});
+    triangles.slivers[t] = length <= 1e-7 * longest;
+    triangles.normals[t] = length > 0 ? n / length : glm::dvec3(0);
+  }
+  // A sliver looks like its face: it takes the normal of another triangle of the same source.
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (!triangles.slivers[t]) continue;
+    for (const std::size_t other : {t - 1, t + 1})
+      if (other < triangles.size() && !triangles.slivers[other] &&
+          triangles.sources[other] == triangles.sources[t])
+        triangles.normals[t] = triangles.normals[other];
+  }
+}
+
+bool is_soft(const Triangles& triangles, std::uint32_t s, std::uint32_t t) {
+  if (triangles.sources[s] != triangles.sources[t]) return false;
+  if (triangles.slivers[s] || triangles.slivers[t]) return true;
+  return glm::dot(triangles.normals[s], triangles.normals[t]) > 1 - 1e-9;
+}
+
+std::vector<Side> sides_in_order(const Triangles& triangles) {
+  std::vector<Side> sides;
+  sides.reserve(3 * triangles.size());
+  const auto& indices = triangles.mesh.indices;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint64_t from = indices[3 * t + i], to = indices[3 * t + (i + 1) % 3];
+      sides.push_back({std::min(from, to) << 32 | std::max(from, to), t});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return a.vertices != b.vertices ? a.vertices < b.vertices : a.triangle < b.triangle;
+  });
+  return sides;
+}
+
+void add_hard_edges(SurfaceMesh& surface, const Triangles& triangles) {
+  const std::vector<Side> sides = sides_in_order(triangles);
+  for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
+    while (next < sides.size() && sides[next].vertices == sides[i].vertices) ++next;
+    if (next - i == 2 && is_soft(triangles, sides[i].triangle, sides[i + 1].triangle)) continue;
+    for (const std::uint64_t v : {sides[i].vertices >> 32, sides[i].vertices & 0xffffffffu})
+      surface.hard_edges.emplace_back(to_glm(triangles.mesh.positions[v]));
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const SurfaceMesh> surface_mesh(const Solid& solid) {
+  Triangles triangles;
+  triangles.mesh = solid.to_mesh(triangles.sources);
+  compute_normals(triangles);
+
+  auto surface = std::make_shared<SurfaceMesh>();
+  surface->positions.reserve(3 * triangles.size());
+  surface->normals.reserve(3 * triangles.size());
+  surface->faces.reserve(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      surface->positions.emplace_back(triangles.corner(t, i));
+      surface->normals.emplace_back(triangles.normals[t]);
+    }
+    surface->faces.push_back(triangles.sources[t].face);
+  }
+  for (const Vec3& p : triangles.mesh.positions) surface->bounds.add(to_glm(p));
+  add_hard_edges(*surface, triangles);
+  return surface;
+}
+
+}  // namespace sectile::viewer
