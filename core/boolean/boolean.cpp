@@ -1,8 +1,6 @@
 // The Boolean operations: the phases of the algorithm, in order.
 #include "sectile/boolean.h"
 
-#include <algorithm>
-
 #include "boolean/cleanup.h"
 #include "boolean/components.h"
 #include "boolean/face_parts.h"
@@ -18,46 +16,6 @@
 #include "topology/links.h"
 
 namespace sectile {
-namespace {
-
-FacePairs overlapping_faces(const SolidData& a, const SolidData& b) {
-  FacePairs pairs;
-  BoxTree::overlaps(a.tree(), b.tree(), [&](std::uint32_t f, std::uint32_t g) {
-    pairs.push_back({FaceId(f), FaceId(g)});
-  });
-  return pairs;
-}
-
-std::vector<FaceId> faces_of(const FacePairs& pairs, bool second) {
-  std::vector<FaceId> faces;
-  faces.reserve(pairs.size());
-  for (const auto& [f, g] : pairs) faces.push_back(second ? g : f);
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
-}
-
-}  // namespace
-
-FaceId loaded_face(const Patch& patch, FaceId face) {
-  if (patch.whole) return face;
-  const auto at = std::lower_bound(patch.face_in_solid.begin(), patch.face_in_solid.end(), face);
-  return FaceId(static_cast<std::size_t>(at - patch.face_in_solid.begin()));
-}
-
-void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs) {
-  pairs = overlapping_faces(a, b);
-  w.patch[0] = load_patch(a, faces_of(pairs, false), w.geometry);
-  w.patch[1] = load_patch(b, faces_of(pairs, true), w.geometry);
-  w.kernel = std::make_unique<Kernel>(w.geometry);
-  for (Patch& patch : w.patch) complete_patch(patch, w.geometry, *w.kernel);
-  for (auto& [f, g] : pairs) {
-    f = loaded_face(w.patch[0], f);
-    g = loaded_face(w.patch[1], g);
-  }
-  std::sort(pairs.begin(), pairs.end());
-}
-
 namespace {
 
 // Cancels if asked to, and tells how far the work is.

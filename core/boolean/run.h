@@ -7,7 +7,7 @@
 
 namespace sectile {
 
-/// Loads the faces that may meet; `pairs` are pairs of loaded faces.
+/// Loads the faces that may meet; `pairs` are pairs of loaded faces, ascending.
 void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs);
 /// The loaded face that stands for a face of the operand.
 FaceId loaded_face(const Patch& patch, FaceId face);

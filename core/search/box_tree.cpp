@@ -63,7 +63,7 @@ std::vector<Box> pairs_above(const std::vector<Box>& below) {
 
 }  // namespace
 
-BoxTree::BoxTree(const std::vector<Box>& boxes) {
+BoxTree::BoxTree(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& group) {
   if (boxes.empty()) return;
   Box all;
   for (const Box& b : boxes) all.add(b);
@@ -92,36 +92,28 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
   });
   levels_.push_back(std::move(leaves));
   while (levels_.back().size() > 1) levels_.push_back(pairs_above(levels_.back()));
+  if (!group.empty()) build_groups(group);
 }
 
-std::vector<BoxTree::NodePair> BoxTree::overlapping_nodes(const BoxTree& a, const BoxTree& b,
-                                                          std::size_t wanted) {
-  std::vector<NodePair> pairs, finer;
-  if (a.empty() || b.empty() || !a.bounds().overlaps(b.bounds())) return pairs;
-  pairs.push_back({a.root(), b.root()});
-  while (!pairs.empty() && pairs.size() < wanted) {
-    finer.clear();
-    bool split = false;
-    for (const auto& [p, q] : pairs) {
-      const auto keep = [&](Node s, Node t) {
-        if (a.box(s).overlaps(b.box(t))) finer.push_back({s, t});
-      };
-      if (p.level == 0 && q.level == 0) {
-        finer.push_back({p, q});
-      } else if (p.level >= q.level) {
-        split = true;
-        keep(child(p, 0), q);
-        if (a.has_second_child(p)) keep(child(p, 1), q);
-      } else {
-        split = true;
-        keep(p, child(q, 0));
-        if (b.has_second_child(q)) keep(p, child(q, 1));
-      }
-    }
-    pairs.swap(finer);
-    if (!split) break;
+void BoxTree::build_groups(const std::vector<std::uint32_t>& group) {
+  item_groups_.reserve(items_.size());
+  for (const std::uint32_t item : items_) item_groups_.push_back(group[item]);
+  const auto common = [](std::uint32_t g, std::uint32_t h) { return g == h ? g : no_group; };
+  std::vector<std::uint32_t> leaves(levels_[0].size());
+  for (std::uint32_t leaf = 0; leaf < leaves.size(); ++leaf) {
+    const auto [begin, end] = range(leaf);
+    leaves[leaf] = item_groups_[begin];
+    for (std::uint32_t i = begin; i < end; ++i)
+      leaves[leaf] = common(leaves[leaf], item_groups_[i]);
   }
-  return pairs;
+  group_levels_.push_back(std::move(leaves));
+  while (group_levels_.size() < levels_.size()) {
+    const std::vector<std::uint32_t>& below = group_levels_.back();
+    std::vector<std::uint32_t> level((below.size() + 1) / 2);
+    for (std::size_t i = 0; i < level.size(); ++i)
+      level[i] = common(below[2 * i], below[std::min(2 * i + 1, below.size() - 1)]);
+    group_levels_.push_back(std::move(level));
+  }
 }
 
 }  // namespace sectile

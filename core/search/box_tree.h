@@ -14,8 +14,10 @@ class BoxTree {
   static constexpr std::uint32_t leaf_size = 4;
 
   BoxTree() = default;
-  /// Takes the boxes of items 0 … boxes.size() - 1.
-  explicit BoxTree(const std::vector<Box>& boxes);
+  /// Takes the boxes of items 0 … boxes.size() - 1. If not empty, `group` puts each item into a
+  /// group (or none).
+  explicit BoxTree(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& group = {});
+  static constexpr std::uint32_t no_group = 0xFFFFFFFFu;
 
   bool empty() const { return items_.empty(); }
   const Box& bounds() const { return levels_.back().front(); }
@@ -30,21 +32,19 @@ class BoxTree {
   /// Calls visit(item of a, item of b) for every pair of overlapping boxes.
   template <class Visit>
   static void overlaps(const BoxTree& a, const BoxTree& b, Visit&& visit) {
-    if (a.empty() || b.empty() || !a.bounds().overlaps(b.bounds())) return;
-    overlaps(a, a.root(), b, b.root(), visit);
+    overlaps(a, b, visit, [](std::uint32_t, std::uint32_t) { return false; });
+  }
+  /// The same without the pairs of items whose groups satisfy skip(group of a, group of b).
+  template <class Visit, class Skip>
+  static void overlaps(const BoxTree& a, const BoxTree& b, Visit&& visit, const Skip& skip) {
+    if (a.empty() || b.empty()) return;
+    overlaps(a, a.root(), b, b.root(), visit, skip);
   }
 
+ private:
   struct Node {
     std::uint32_t level, index;
   };
-  using NodePair = std::pair<Node, Node>;
-  /// Cuts the traversal into about `wanted` independent pairs of nodes that overlap, in order.
-  static std::vector<NodePair> overlapping_nodes(const BoxTree& a, const BoxTree& b,
-                                                 std::size_t wanted);
-  template <class Visit>
-  static void overlaps(const BoxTree& a, Node p, const BoxTree& b, Node q, Visit& visit);
-
- private:
   Node root() const { return {static_cast<std::uint32_t>(levels_.size() - 1), 0}; }
   const Box& box(Node n) const { return levels_[n.level][n.index]; }
   bool has_second_child(Node n) const {
@@ -55,6 +55,18 @@ class BoxTree {
     const auto count = static_cast<std::uint32_t>(items_.size());
     return {leaf * leaf_size, std::min(count, (leaf + 1) * leaf_size)};
   }
+
+  template <class Visit, class Skip>
+  static void overlaps(const BoxTree& a, Node p, const BoxTree& b, Node q, Visit& visit,
+                       const Skip& skip);
+  template <class Skip>
+  static bool skips(const BoxTree& a, Node p, const BoxTree& b, Node q, const Skip& skip) {
+    if (a.group_levels_.empty() || b.group_levels_.empty()) return false;
+    const std::uint32_t g = a.group_levels_[p.level][p.index],
+                        h = b.group_levels_[q.level][q.index];
+    return g != no_group && h != no_group && skip(g, h);
+  }
+  void build_groups(const std::vector<std::uint32_t>& group);
 
   template <class Meets, class Visit>
   void query(Node n, const Meets& meets, Visit& visit) const {
@@ -72,25 +84,35 @@ class BoxTree {
   std::vector<std::uint32_t> items_;      // in Morton order
   std::vector<Box> item_boxes_;           // in the same order
   std::vector<std::vector<Box>> levels_;  // leaves first, the root last
+  // The common group of all items of a node, or no_group. Empty if there are no groups.
+  std::vector<std::uint32_t> item_groups_;
+  std::vector<std::vector<std::uint32_t>> group_levels_;
 };
 
-template <class Visit>
-void BoxTree::overlaps(const BoxTree& a, Node p, const BoxTree& b, Node q, Visit& visit) {
-  if (!a.box(p).overlaps(b.box(q))) return;
+template <class Visit, class Skip>
+void BoxTree::overlaps(const BoxTree& a, Node p, const BoxTree& b, Node q, Visit& visit,
+                       const Skip& skip) {
+  if (!a.box(p).overlaps(b.box(q)) || skips(a, p, b, q, skip)) return;
   if (p.level == 0 && q.level == 0) {
+    const bool grouped = !a.item_groups_.empty() && !b.item_groups_.empty();
     const auto [from_a, to_a] = a.range(p.index);
     const auto [from_b, to_b] = b.range(q.index);
     for (std::uint32_t i = from_a; i < to_a; ++i)
-      for (std::uint32_t j = from_b; j < to_b; ++j)
-        if (a.item_boxes_[i].overlaps(b.item_boxes_[j])) visit(a.items_[i], b.items_[j]);
+      for (std::uint32_t j = from_b; j < to_b; ++j) {
+        if (!a.item_boxes_[i].overlaps(b.item_boxes_[j])) continue;
+        if (grouped && a.item_groups_[i] != no_group && b.item_groups_[j] != no_group &&
+            skip(a.item_groups_[i], b.item_groups_[j]))
+          continue;
+        visit(a.items_[i], b.items_[j]);
+      }
     return;
   }
   if (p.level >= q.level) {
-    overlaps(a, child(p, 0), b, q, visit);
-    if (a.has_second_child(p)) overlaps(a, child(p, 1), b, q, visit);
+    overlaps(a, child(p, 0), b, q, visit, skip);
+    if (a.has_second_child(p)) overlaps(a, child(p, 1), b, q, visit, skip);
   } else {
-    overlaps(a, p, b, child(q, 0), visit);
-    if (b.has_second_child(q)) overlaps(a, p, b, child(q, 1), visit);
+    overlaps(a, p, b, child(q, 0), visit, skip);
+    if (b.has_second_child(q)) overlaps(a, p, b, child(q, 1), visit, skip);
   }
 }
 

@@ -33,7 +33,7 @@ std::vector<Box> face_boxes(const Brep& brep, const Geometry& geometry) {
 
 }  // namespace
 
-FaceTree::FaceTree(const Brep& brep, const Geometry& geometry)
-    : BoxTree(face_boxes(brep, geometry)) {}
+FaceTree::FaceTree(const Brep& brep, const Geometry& geometry, Hubs hubs)
+    : BoxTree(face_boxes(brep, geometry), hubs.of_face()), hubs_(std::move(hubs)) {}
 
 }  // namespace sectile

@@ -1,0 +1,162 @@
+// Finds the pairs of faces that may meet, and loads these faces.
+#include <algorithm>
+
+#include "boolean/collect.h"
+#include "boolean/run.h"
+
+namespace sectile {
+namespace {
+
+bool same_point(const Geometry& a, PointId p, const Geometry& b, PointId q) {
+  if (!(a.position(p) == b.position(q))) return false;
+  if (a.is_explicit(p) && b.is_explicit(q)) return true;
+  Geometry both;
+  const PointId mine = load_point(a, p, both), other = load_point(b, q, both);
+  return Kernel(both).same_point(mine, other);
+}
+
+// The hubs of both solids, those at one place together.
+class CommonHubs {
+ public:
+  CommonHubs(const SolidData& a, const SolidData& b) : data_{&a, &b} {
+    if (hubs(0).empty() || hubs(1).empty()) return;
+    for (const int s : {0, 1}) {
+      place_[s].resize(hubs(s).size());
+      for (std::uint32_t h = 0; h < hubs(s).size(); ++h) order_.push_back({s, h});
+    }
+    std::sort(order_.begin(), order_.end(),
+              [&](const Hub& g, const Hub& h) { return position(g).x < position(h).x; });
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      std::size_t j = i;
+      while (j > 0 && position(order_[j - 1]).x == position(order_[i]).x &&
+             !are_at_one_place(order_[j - 1], order_[i]))
+        --j;
+      const bool known = j > 0 && position(order_[j - 1]).x == position(order_[i]).x;
+      place_of(order_[i]) = known ? place_of(order_[j - 1]) : static_cast<std::uint32_t>(i);
+    }
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](const Hub& g, const Hub& h) { return place_of(g) < place_of(h); });
+  }
+
+  bool are_at_one_place(std::uint32_t hub_of_a, std::uint32_t hub_of_b) const {
+    return place_[0][hub_of_a] == place_[1][hub_of_b];
+  }
+
+  /// The pairs that leave a common hub in a common direction, and each face at least once.
+  void add_pairs(FacePairs& pairs) const {
+    for_each_place([&](const Fan& a, const Fan& b, const Vec3&) {
+      BoxTree::overlaps(BoxTree(a.directions), BoxTree(b.directions),
+                        [&](std::uint32_t i, std::uint32_t j) {
+                          pairs.push_back({a.faces[i], b.faces[j]});
+                        });
+      for (const FaceId f : a.faces) pairs.push_back({f, b.faces.front()});
+      for (const FaceId g : b.faces) pairs.push_back({a.faces.front(), g});
+    });
+  }
+
+  /// The hub itself meets every face of the other fan: the pairs in which that is tested.
+  void add_pairs_of_owners(const Workspace& w, FacePairs& pairs) const {
+    for_each_place([&](const Fan& a, const Fan& b, const Vec3& place) {
+      for (const FaceId f : owners_at(w, 0, a, place))
+        for (const FaceId g : b.faces) pairs.push_back({f, loaded_face(w.patch[1], g)});
+      for (const FaceId g : owners_at(w, 1, b, place))
+        for (const FaceId f : a.faces) pairs.push_back({loaded_face(w.patch[0], f), g});
+    });
+  }
+
+ private:
+  struct Hub {
+    int solid;
+    std::uint32_t number;
+  };
+  struct Fan {
+    std::vector<FaceId> faces;
+    std::vector<Box> directions;
+  };
+
+  const Hubs& hubs(int s) const { return data_[s]->tree().hubs(); }
+  PointId point(const Hub& h) const { return hubs(h.solid).point(h.number); }
+  const Vec3& position(const Hub& h) const { return data_[h.solid]->geometry.position(point(h)); }
+  std::uint32_t& place_of(const Hub& h) { return place_[h.solid][h.number]; }
+  std::uint32_t place_of(const Hub& h) const { return place_[h.solid][h.number]; }
+  bool are_at_one_place(const Hub& g, const Hub& h) const {
+    return same_point(data_[g.solid]->geometry, point(g), data_[h.solid]->geometry, point(h));
+  }
+
+  template <class Visit>
+  void for_each_place(const Visit& visit) const {
+    for (std::size_t from = 0, to; from < order_.size(); from = to) {
+      Fan fan[2];
+      for (to = from; to < order_.size() && place_of(order_[to]) == place_of(order_[from]); ++to) {
+        const Hub& h = order_[to];
+        const auto faces = hubs(h.solid).faces(h.number);
+        const SolidData& data = *data_[h.solid];
+        Fan& mine = fan[h.solid];
+        mine.faces.insert(mine.faces.end(), faces.begin(), faces.end());
+        append(mine.directions, direction_boxes(data.brep, data.geometry, point(h), faces));
+      }
+      if (!fan[0].faces.empty() && !fan[1].faces.empty())
+        visit(fan[0], fan[1], position(order_[from]));
+    }
+  }
+
+  static std::vector<FaceId> owners_at(const Workspace& w, int s, const Fan& fan,
+                                       const Vec3& place) {
+    const Patch& patch = w.patch[s];
+    std::vector<FaceId> owners;
+    for (const FaceId f : fan.faces)
+      for_each_in_face(patch.brep, loaded_face(patch, f), [&](HalfEdgeId h) {
+        const VertexId v = patch.brep.from(h);
+        if (w.geometry.position(patch.brep.point_of(v)) == place) owners.push_back(patch.owner(v));
+      });
+    std::sort(owners.begin(), owners.end());
+    owners.erase(std::unique(owners.begin(), owners.end()), owners.end());
+    return owners;
+  }
+
+  const SolidData* data_[2];
+  std::vector<Hub> order_;               // by place
+  std::vector<std::uint32_t> place_[2];  // per hub
+};
+
+std::vector<FaceId> faces_of(const FacePairs& pairs, bool second) {
+  std::vector<FaceId> faces;
+  faces.reserve(pairs.size());
+  for (const auto& [f, g] : pairs) faces.push_back(second ? g : f);
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+}  // namespace
+
+FaceId loaded_face(const Patch& patch, FaceId face) {
+  if (patch.whole) return face;
+  const auto at = std::lower_bound(patch.face_in_solid.begin(), patch.face_in_solid.end(), face);
+  return FaceId(static_cast<std::size_t>(at - patch.face_in_solid.begin()));
+}
+
+void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs) {
+  const CommonHubs hubs(a, b);
+  pairs.clear();
+  BoxTree::overlaps(
+      a.tree(), b.tree(),
+      [&](std::uint32_t f, std::uint32_t g) {
+        pairs.push_back({FaceId(f), FaceId(g)});
+      },
+      [&](std::uint32_t hub, std::uint32_t other) { return hubs.are_at_one_place(hub, other); });
+  hubs.add_pairs(pairs);
+  w.patch[0] = load_patch(a, faces_of(pairs, false), w.geometry);
+  w.patch[1] = load_patch(b, faces_of(pairs, true), w.geometry);
+  w.kernel = std::make_unique<Kernel>(w.geometry);
+  for (Patch& patch : w.patch) complete_patch(patch, w.geometry, *w.kernel);
+  for (auto& [f, g] : pairs) {
+    f = loaded_face(w.patch[0], f);
+    g = loaded_face(w.patch[1], g);
+  }
+  hubs.add_pairs_of_owners(w, pairs);
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+}  // namespace sectile

@@ -1,0 +1,46 @@
+// Hubs: points in which very many faces of a solid meet (the apex of a fine cone).
+//
+// Around a hub all boxes overlap, so boxes say nothing about which faces of two fans meet. What
+// tells is the direction in which each face leaves the hub.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/geometry.h"
+#include "search/box.h"
+#include "topology/brep.h"
+
+namespace sectile {
+
+class Hubs {
+ public:
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
+  static constexpr std::uint32_t least_faces = 48;
+
+  Hubs() = default;
+  explicit Hubs(const Brep& brep);
+
+  bool empty() const { return points_.empty(); }
+  std::size_t size() const { return points_.size(); }
+  PointId point(std::size_t hub) const { return points_[hub]; }
+  /// The faces of its fan; a face belongs to one hub at most.
+  std::span<const FaceId> faces(std::size_t hub) const {
+    const std::size_t from = hub == 0 ? 0 : face_end_[hub - 1];
+    return std::span(faces_).subspan(from, face_end_[hub] - from);
+  }
+  /// Per face: its hub, or none. Empty if there are no hubs.
+  const std::vector<std::uint32_t>& of_face() const { return of_face_; }
+
+ private:
+  std::vector<PointId> points_;
+  std::vector<std::uint32_t> of_face_, face_end_;
+  std::vector<FaceId> faces_;
+};
+
+/// Boxes around the directions (unit vectors) in which the faces of a fan are seen from the hub.
+/// Faces that have more than the hub in common have boxes that overlap.
+std::vector<Box> direction_boxes(const Brep& brep, const Geometry& geometry, PointId hub,
+                                 std::span<const FaceId> faces);
+
+}  // namespace sectile

@@ -1,0 +1,1 @@
+sectile_test(hubs_test SOURCES hubs_test.cpp LIBRARIES sectile::core)
