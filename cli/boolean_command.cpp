@@ -6,7 +6,6 @@
 #include "fold.h"
 #include "input.h"
 #include "output.h"
-#include "write_solids.h"
 
 namespace sectile::cli {
 namespace {
@@ -38,14 +37,12 @@ ExitCode run(const Arguments& arguments, Operation operation, const Options& opt
   Progress progress(!options.quiet);
   const Operands operands{arguments.operands, read_solids(arguments.operands, options, progress)};
 
-  const Interrupt interrupt;
   progress.stage(words_for(operation).name);
-  const Solid result =
-      run_carefully(operands, options, progress, interrupt, [&](const BooleanOptions& how) {
+  const auto written = compute_and_write(
+      operands, {arguments.output}, options, progress, [&](const BooleanOptions& how) {
         return std::vector<Solid>{fold(operands.solids, operation, how)};
-      }).front();
-  report(words_for(operation).name, arguments.operands,
-         write_solids({{arguments.output, result}}, options, progress, interrupt), options);
+      });
+  report(words_for(operation).name, arguments.operands, written, options);
   return ExitCode::done;
 }
 

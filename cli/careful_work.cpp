@@ -1,7 +1,9 @@
 #include "careful_work.h"
 
 #include "input.h"
+#include "interrupt.h"
 #include "problem.h"
+#include "write_solids.h"
 
 namespace sectile::cli {
 namespace {
@@ -18,24 +20,32 @@ void require_legal_results(const Operands& operands, const std::vector<Solid>& r
 
 }  // namespace
 
-std::vector<Solid> run_carefully(
-    const Operands& operands, const Options& options, Progress& progress,
-    const Interrupt& interrupt,
-    const std::function<std::vector<Solid>(const BooleanOptions&)>& work) {
-  BooleanOptions how;
-  how.validate = options.validate;
-  how.cancel = interrupt.requested();
-  how.progress = [&](double done) { progress.fraction(done); };
+void blame_illegal_operands(const Operands& operands, const std::function<void()>& work) {
   try {
-    std::vector<Solid> results = work(how);
-    if (options.validate) require_legal_results(operands, results);
-    interrupt.check();
-    return results;
+    work();
   } catch (const InternalError&) {
     for (std::size_t i = 0; i < operands.solids.size(); ++i)
       require_legal(operands.names[i], operands.solids[i]);
     throw;
   }
+}
+
+std::vector<Written> compute_and_write(
+    const Operands& operands, const std::vector<std::string>& outputs, const Options& options,
+    Progress& progress, const std::function<std::vector<Solid>(const BooleanOptions&)>& work) {
+  const Interrupt interrupt;
+  BooleanOptions how;
+  how.validate = options.validate;
+  how.cancel = interrupt.requested();
+  how.progress = [&](double done) { progress.fraction(done); };
+  std::vector<Written> written;
+  blame_illegal_operands(operands, [&] {
+    const std::vector<Solid> results = work(how);
+    if (options.validate) require_legal_results(operands, results);
+    interrupt.check();
+    written = write_solids(outputs, results, options, progress, interrupt);
+  });
+  return written;
 }
 
 }  // namespace sectile::cli

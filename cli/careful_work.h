@@ -1,14 +1,15 @@
-// Runs an operation so that it can be interrupted, shows its progress, and blames the right one.
+// From operands to files: work that can be interrupted, shows its progress, and blames the right
+// one.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "interrupt.h"
 #include "options.h"
 #include "progress.h"
 #include "sectile/boolean.h"
+#include "summary.h"
 
 namespace sectile::cli {
 
@@ -18,12 +19,15 @@ struct Operands {
   std::vector<Solid> solids;
 };
 
-/// Calls `work` with the options that the command line asks for. An internal error is a defect of
-/// the library only if the operands are legal; if one is not, IllegalInput is thrown instead. With
-/// --validate the results are checked too.
-std::vector<Solid> run_carefully(
-    const Operands& operands, const Options& options, Progress& progress,
-    const Interrupt& interrupt,
-    const std::function<std::vector<Solid>(const BooleanOptions&)>& work);
+/// Calls `work`. An internal error in it is a defect of the library only if the operands are legal;
+/// if one is not, IllegalInput is thrown instead.
+void blame_illegal_operands(const Operands& operands, const std::function<void()>& work);
+
+/// Calls `work` with the options that the command line asks for, and writes its results, one for
+/// each output. With --validate the results are checked first. Can be interrupted until the files
+/// appear.
+std::vector<Written> compute_and_write(
+    const Operands& operands, const std::vector<std::string>& outputs, const Options& options,
+    Progress& progress, const std::function<std::vector<Solid>(const BooleanOptions&)>& work);
 
 }  // namespace sectile::cli

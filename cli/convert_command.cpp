@@ -1,6 +1,7 @@
 // sectile convert
 #include <memory>
 
+#include "careful_work.h"
 #include "command.h"
 #include "input.h"
 #include "output.h"
@@ -29,10 +30,12 @@ ExitCode run(const Arguments& arguments, const Options& options) {
   const Solid solid = import_input(arguments.input, mesh, options.validate);
 
   const Interrupt interrupt;
-  const std::vector<Written> written =
-      arguments.keep_faces
-          ? write_faces(arguments.output, solid, mesh, options, interrupt)
-          : write_solids({{arguments.output, solid}}, options, progress, interrupt);
+  std::vector<Written> written;
+  blame_illegal_operands({{arguments.input}, {solid}}, [&] {
+    written = arguments.keep_faces
+                  ? write_faces(arguments.output, solid, mesh, options, interrupt)
+                  : write_solids({arguments.output}, {solid}, options, progress, interrupt);
+  });
   report("convert", {arguments.input}, written, options);
   return ExitCode::done;
 }

@@ -39,15 +39,15 @@ class ExactSum {
   std::size_t size_ = 0;
 };
 
-double scale_for(double a, double b, double c) {
+int exponent_of(double a, double b, double c) {
   const double most = std::max({std::abs(a), std::abs(b), std::abs(c)});
   return most == 0 ? 0 : std::ilogb(most);
 }
 
 // Collinearity does not change when an axis is scaled; this keeps products within range.
 bool exactly_collinear(Point2 a, Point2 b, Point2 c) {
-  const int x = 400 - static_cast<int>(scale_for(a.x, b.x, c.x));
-  const int y = 400 - static_cast<int>(scale_for(a.y, b.y, c.y));
+  const int x = 400 - exponent_of(a.x, b.x, c.x);
+  const int y = 400 - exponent_of(a.y, b.y, c.y);
   for (Point2* p : {&a, &b, &c}) *p = {std::ldexp(p->x, x), std::ldexp(p->y, y)};
   ExactSum area;
   area.add_product(a.x, b.y);
@@ -73,8 +73,14 @@ bool is_degenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
          collinear({a.z, a.x}, {b.z, b.x}, {c.z, c.x});
 }
 
+// GCC 12 drops a plain conversion to float and back when it vectorizes.
+double to_float(double value) {
+  const volatile float rounded = static_cast<float>(value);
+  return rounded;
+}
+
 Vec3 to_floats(const Vec3& p) {
-  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+  return {to_float(p.x), to_float(p.y), to_float(p.z)};
 }
 
 }  // namespace

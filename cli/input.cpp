@@ -24,9 +24,15 @@ bool has_known_extension(const std::string& name) {
   }
 }
 
-// A file without a single byte was cut off; files of empty solids have a header.
+std::string in_messages(const std::string& name) {
+  return is_standard(name) ? "standard input" : name;
+}
+
+// A file without a single byte was cut off; files of empty solids have a header or a comment.
 void require_content(const std::string& name) {
   std::error_code ignored;
+  if (std::filesystem::is_directory(name, ignored))
+    throw FileError(name + ": cannot read: it is a directory");
   if (std::filesystem::is_regular_file(name, ignored) &&
       std::filesystem::file_size(name, ignored) == 0)
     throw FileError(name + ":1: the file is empty");
@@ -54,7 +60,7 @@ PolygonMesh read_input(const std::string& name, const Options& options) {
   require_content(name);
   if (has_known_extension(name) || !options.input_format) return read_mesh(name);
   std::ifstream in(name, std::ios::binary);
-  if (!in || std::filesystem::is_directory(name)) throw FileError(name + ": cannot open");
+  if (!in) throw FileError(name + ": cannot open");
   return read_mesh(in, *options.input_format, name);
 }
 
@@ -64,7 +70,7 @@ Solid import_input(const std::string& name, const PolygonMesh& mesh, bool valida
     if (validate) require_legal(name, solid);
     return solid;
   } catch (const InvalidSolid& error) {
-    throw IllegalInput(name, {problem_of(error)});
+    throw IllegalInput(in_messages(name), {problem_of(error)});
   }
 }
 
@@ -84,7 +90,7 @@ void require_legal(const std::string& name, const Solid& solid) {
   if (violations.empty()) return;
   std::vector<Problem> problems;
   for (const Violation& violation : violations) problems.push_back(problem_of(violation));
-  throw IllegalInput(name, std::move(problems));
+  throw IllegalInput(in_messages(name), std::move(problems));
 }
 
 }  // namespace sectile::cli

@@ -1,11 +1,9 @@
 #include "output.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -56,21 +54,14 @@ void write_special(const Output& output) {
   write_stream(out, output.name, output.content);
 }
 
-// Rounding to floats must not make numbers that no reader takes.
-void require_floats(const std::string& name, const PolygonMesh& mesh) {
-  constexpr double most = std::numeric_limits<float>::max();
-  for (const Vec3& p : mesh.positions)
-    if (std::abs(p.x) > most || std::abs(p.y) > most || std::abs(p.z) > most)
-      cannot_write(name, "binary STL holds no coordinates beyond 3.4e38; use another format");
-}
-
 }  // namespace
 
 void check_outputs(const std::vector<std::string>& names, const Options& options) {
   std::set<fs::path> seen;
   for (const std::string& name : names) {
     std::error_code ignored;
-    if (!seen.insert(is_standard(name) ? fs::path(name) : fs::weakly_canonical(name, ignored))
+    if (!seen.insert(is_standard(name) ? fs::path(name)
+                                       : fs::weakly_canonical(fs::absolute(name), ignored))
              .second)
       throw UsageError("two outputs have the same name: " + name);
     if (is_standard(name) && options.json)
@@ -91,7 +82,6 @@ FileFormat output_format(const std::string& name, const Options& options) {
 
 Output rendered(const std::string& name, const PolygonMesh& mesh, const Options& options) {
   const FileFormat format = output_format(name, options);
-  if (format == FileFormat::stl_binary) require_floats(name, mesh);
   std::ostringstream out;
   write_mesh(out, format, mesh, name);
   return {name, std::move(out).str()};

@@ -56,8 +56,6 @@ Problem problem_of(const Violation& violation) {
 
 std::string in_words(const Problem& problem) {
   std::string text = problem.message;
-  if (problem.face && text.find("face") == std::string::npos)
-    text += " (face " + std::to_string(*problem.face) + ")";
   if (problem.where)
     text += " near (" + in_words(problem.where->x) + ", " + in_words(problem.where->y) + ", " +
             in_words(problem.where->z) + ")";

@@ -7,7 +7,6 @@
 #include "command.h"
 #include "input.h"
 #include "output.h"
-#include "write_solids.h"
 
 namespace sectile::cli {
 namespace {
@@ -42,17 +41,13 @@ ExitCode run(const Arguments& arguments, const Options& options) {
   Progress progress(!options.quiet);
   const Operands operands{{arguments.operand}, read_solids({arguments.operand}, options, progress)};
 
-  const Interrupt interrupt;
   progress.stage("split");
-  const std::vector<Solid> parts =
-      run_carefully(operands, options, progress, interrupt, [&](const BooleanOptions& how) {
+  const auto written = compute_and_write(
+      operands, arguments.outputs, options, progress, [&](const BooleanOptions& how) {
         const auto [above, below] = split(operands.solids.front(), plane, how);
         return std::vector<Solid>{above, below};
       });
-  report("split", {arguments.operand},
-         write_solids({{arguments.outputs[0], parts[0]}, {arguments.outputs[1], parts[1]}}, options,
-                      progress, interrupt),
-         options);
+  report("split", {arguments.operand}, written, options);
   return ExitCode::done;
 }
 

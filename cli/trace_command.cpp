@@ -5,8 +5,10 @@
 #include <memory>
 #include <sstream>
 
+#include "careful_work.h"
 #include "command.h"
 #include "input.h"
+#include "interrupt.h"
 #include "output.h"
 #include "problem.h"
 
@@ -26,24 +28,18 @@ const std::map<std::string, Operation>& operations() {
   return names;
 }
 
-std::string traced(const std::vector<Solid>& solids, const Arguments& arguments) {
-  std::ostringstream out;
-  try {
-    write_trace(out, solids[0], solids[1], arguments.operation);
-  } catch (const InternalError&) {
-    for (std::size_t i = 0; i < solids.size(); ++i) require_legal(arguments.operands[i], solids[i]);
-    throw;
-  }
-  return std::move(out).str();
-}
-
 ExitCode run(const Arguments& arguments, const Options& options) {
   check_inputs(arguments.operands);
   check_outputs({arguments.output}, options);
   Progress progress(!options.quiet);
-  const std::vector<Solid> solids = read_solids(arguments.operands, options, progress);
+  const Operands operands{arguments.operands, read_solids(arguments.operands, options, progress)};
   progress.stage("trace");
-  const std::string trace = traced(solids, arguments);
+  std::ostringstream out;
+  blame_illegal_operands(operands, [&] {
+    write_trace(out, operands.solids[0], operands.solids[1], arguments.operation);
+  });
+  const std::string trace = std::move(out).str();
+  const Interrupt interrupt;  // half a file would be left
   write_outputs({{arguments.output, trace}});
   if (options.json)
     std::cout << Json{{"command", "trace"},

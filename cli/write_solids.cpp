@@ -7,12 +7,14 @@
 
 namespace sectile::cli {
 
-std::vector<Written> write_solids(const std::vector<std::pair<std::string, Solid>>& solids,
-                                  const Options& options, Progress& progress,
-                                  const Interrupt& interrupt) {
+std::vector<Written> write_solids(const std::vector<std::string>& names,
+                                  const std::vector<Solid>& solids, const Options& options,
+                                  Progress& progress, const Interrupt& interrupt) {
   std::vector<Written> written;
   std::vector<Output> outputs;
-  for (const auto& [name, solid] : solids) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string& name = names[i];
+    const Solid& solid = solids[i];
     progress.stage("writing " + name);
     const PolygonMesh mesh = solid.to_mesh();
     written.push_back({name, solid, mesh.face_sizes.size(),

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "interrupt.h"
@@ -13,9 +12,9 @@
 namespace sectile::cli {
 
 /// Writes every solid into its file, or none of them.
-std::vector<Written> write_solids(const std::vector<std::pair<std::string, Solid>>& solids,
-                                  const Options& options, Progress& progress,
-                                  const Interrupt& interrupt);
+std::vector<Written> write_solids(const std::vector<std::string>& names,
+                                  const std::vector<Solid>& solids, const Options& options,
+                                  Progress& progress, const Interrupt& interrupt);
 
 /// Writes a solid as the polygons from which it was read.
 std::vector<Written> write_faces(const std::string& name, const Solid& solid,

@@ -35,5 +35,5 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The library's header files and archive are of use only with these.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS libtbb-dev)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libtbb-dev, libtinyobjloader-dev")
 include(CPack)

@@ -1,165 +1,102 @@
-// STL, text and binary. A binary file may begin with "solid" too, so its size decides.
-#include <bit>
-#include <cmath>
-#include <cstring>
+// STL: which of its two forms a file has, and the text form.
+#include <cctype>
 
+#include "files/facet_normal.h"
 #include "files/formats.h"
 #include "files/scanner.h"
+#include "files/stl_binary.h"
+#include "files/writable.h"
 
 namespace sectile {
 namespace {
 
-constexpr std::size_t header_size = 84, facet_size = 50;
-
-template <class T>
-T little_endian(const char* at) {
-  T value;
-  std::memcpy(&value, at, sizeof value);
-  static_assert(std::endian::native == std::endian::little);
-  return value;
-}
-
-bool is_binary(std::string_view content) {
-  if (content.size() < header_size) return false;
-  const auto count = little_endian<std::uint32_t>(content.data() + 80);
-  if (content.size() == header_size + facet_size * std::uint64_t(count)) return true;
-  return content.substr(0, 5) != "solid";
-}
-
-void add_corner(PolygonMesh& mesh, const Vec3& p) {
-  mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
-  mesh.positions.push_back(p);
-}
-
-PolygonMesh read_binary(std::string_view content, const std::string& name) {
-  const auto fail = [&](std::size_t at, const std::string& what) {
-    throw FileError(name + ": byte " + std::to_string(at) + ": " + what);
-  };
-  const auto count = little_endian<std::uint32_t>(content.data() + 80);
-  const std::uint64_t wanted = header_size + facet_size * std::uint64_t(count);
-  if (content.size() != wanted)
-    fail(content.size(), std::to_string(count) + " triangles need " + std::to_string(wanted) +
-                             " bytes, but the file has " + std::to_string(content.size()));
-  PolygonMesh mesh;
-  mesh.face_sizes.assign(count, 3);
-  for (std::uint32_t i = 0; i < count; ++i)
-    for (int corner = 0; corner < 3; ++corner) {
-      const std::size_t at =
-          header_size + facet_size * std::size_t(i) + 12 + 12 * std::size_t(corner);
-      const float x = little_endian<float>(content.data() + at),
-                  y = little_endian<float>(content.data() + at + 4),
-                  z = little_endian<float>(content.data() + at + 8);
-      if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
-        fail(at, "triangle " + std::to_string(i) + " has a coordinate that is not finite");
-      add_corner(mesh, {x, y, z});
-    }
-  return mesh;
+bool is_word(std::string_view token, std::string_view lower_case) {
+  return token.size() == lower_case.size() &&
+         std::equal(token.begin(), token.end(), lower_case.begin(), [](char a, char b) {
+           return std::tolower(static_cast<unsigned char>(a)) == b;
+         });
 }
 
 class TextReader {
  public:
-  TextReader(std::string_view content, std::string_view name) : scan_(content, name) {}
+  TextReader(std::string_view content, std::string_view name)
+      : scan_(content, name, Scanner::no_comments) {}
 
   PolygonMesh run() {
     expect("solid");
-    for (;;) {
+    while (true) {
+      // What follows "solid", "endsolid" on their line is a name.
       if (!scan_.next_line()) scan_.fail("the file ends without \"endsolid\"");
-      const std::string_view word = scan_.token('\0');
-      if (word.empty()) continue;
-      if (word == "facet") {
+      const std::string_view word = scan_.token_on_any_line("\"facet\" or \"endsolid\"");
+      if (is_word(word, "facet"))
         read_facet();
-      } else if (word == "endsolid") {
-        if (!more_solids()) return std::move(mesh_);
-      } else {
-        scan_.fail("\"facet\" or \"endsolid\" is expected, not \"" + std::string(word) + "\"");
-      }
+      else if (!is_word(word, "endsolid"))
+        scan_.fail("\"facet\" or \"endsolid\" is expected, not " + quoted(word));
+      else if (!find_next_solid())
+        return std::move(mesh_);
     }
   }
 
  private:
-  void expect(std::string_view word) {
-    const std::string_view t = scan_.any_token("more");
-    if (t != word)
-      scan_.fail("\"" + std::string(word) + "\" is expected, not \"" + std::string(t) + "\"");
+  void expect(const char* word) {
+    const std::string wanted = "\"" + std::string(word) + "\"";
+    const std::string_view found = scan_.token_on_any_line(wanted.c_str());
+    if (!is_word(found, word)) scan_.fail(wanted + " is expected, not " + quoted(found));
   }
 
-  // After endsolid and its name.
-  bool more_solids() {
+  bool find_next_solid() {
     while (scan_.next_line()) {
-      const std::string_view word = scan_.token('\0');
-      if (word == "solid") return true;
-      if (!word.empty()) scan_.fail("\"solid\" is expected, not \"" + std::string(word) + "\"");
+      const std::string_view word = scan_.token();
+      if (is_word(word, "solid")) return true;
+      if (!word.empty()) scan_.fail("\"solid\" is expected, not " + quoted(word));
     }
     return false;
   }
 
+  // The corners' order says where the outside is; the normal, often wrong or nan, is passed over.
   void read_facet() {
     expect("normal");
-    for (int i = 0; i < 3; ++i) scan_.any_token("a normal");
+    for (int i = 0; i < 3; ++i) scan_.token_on_any_line("a normal");
     expect("outer");
     expect("loop");
-    for (int i = 0; i < 3; ++i) {
-      expect("vertex");
-      Vec3 p;
-      for (double* c : {&p.x, &p.y, &p.z})
-        *c = scan_.real(scan_.any_token("a coordinate"), "the coordinate");
-      add_corner(mesh_, p);
-    }
+    for (int i = 0; i < 3; ++i) read_corner();
     expect("endloop");
     expect("endfacet");
+    if (!scan_.at_line_end() && !scan_.token().empty())
+      scan_.fail("more than \"endfacet\" in its line");
     mesh_.face_sizes.push_back(3);
+  }
+
+  void read_corner() {
+    expect("vertex");
+    Vec3 p;
+    for (double* c : {&p.x, &p.y, &p.z})
+      *c = scan_.real(scan_.token_on_any_line("a coordinate"), "the coordinate");
+    mesh_.indices.push_back(static_cast<std::uint32_t>(mesh_.positions.size()));
+    mesh_.positions.push_back(p);
   }
 
   Scanner scan_;
   PolygonMesh mesh_;
 };
 
-Vec3 normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
-  const double vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
-  const Vec3 n{uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
-  const double length = std::hypot(n.x, n.y, n.z);
-  return length > 0 ? Vec3{n.x / length, n.y / length, n.z / length} : Vec3{};
-}
-
 }  // namespace
 
 PolygonMesh read_stl(std::string_view content, std::string_view name) {
-  if (content.empty()) throw FileError(std::string(name) + ":1: the file is empty");
-  return is_binary(content) ? read_binary(content, std::string(name))
-                            : TextReader(content, name).run();
+  return is_binary_stl(content) ? read_stl_binary(content, name) : TextReader(content, name).run();
 }
 
-void write_stl_text(std::ostream& out, const PolygonMesh& mesh) {
+void write_stl_text(Sink& out, const PolygonMesh& mesh, std::string_view name) {
+  require_triangles(mesh, name);
   out << "solid sectile\n";
-  const auto put = [&](const char* word, const Vec3& p) {
-    out << word << ' ' << shortest(p.x) << ' ' << shortest(p.y) << ' ' << shortest(p.z) << '\n';
-  };
-  for_each_triangle(mesh, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    put("facet normal", normal(a, b, c));
-    out << "outer loop\n";
-    for (const Vec3* p : {&a, &b, &c}) put("vertex", *p);
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const Vec3 &a = mesh.positions[mesh.indices[i]], &b = mesh.positions[mesh.indices[i + 1]],
+               &c = mesh.positions[mesh.indices[i + 2]];
+    out << "facet normal " << facet_normal(a, b, c) << "\nouter loop\n";
+    for (const Vec3* p : {&a, &b, &c}) out << "vertex " << *p << '\n';
     out << "endloop\nendfacet\n";
-  });
+  }
   out << "endsolid sectile\n";
-}
-
-void write_stl_binary(std::ostream& out, const PolygonMesh& mesh) {
-  std::uint32_t count = 0;
-  for_each_triangle(mesh, [&](const Vec3&, const Vec3&, const Vec3&) { ++count; });
-  char header[80] = "binary STL by sectile";
-  out.write(header, sizeof header);
-  out.write(reinterpret_cast<const char*>(&count), 4);
-  const auto put = [&](const Vec3& p) {
-    const float floats[3] = {static_cast<float>(p.x), static_cast<float>(p.y),
-                             static_cast<float>(p.z)};
-    out.write(reinterpret_cast<const char*>(floats), 12);
-  };
-  for_each_triangle(mesh, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    put(normal(a, b, c));
-    for (const Vec3* p : {&a, &b, &c}) put(*p);
-    out.write("\0\0", 2);
-  });
 }
 
 }  // namespace sectile

@@ -22,7 +22,9 @@ FileFormat format_of(const std::filesystem::path& path);
 PolygonMesh read_mesh(const std::filesystem::path& path);
 PolygonMesh read_mesh(std::istream& in, FileFormat format, std::string_view name);
 
-/// Writes a mesh. The file appears whole or not at all. Throws FileError.
+/// Writes a mesh. The file appears whole or not at all. Coordinates are written so that they read
+/// back as the same doubles, except in binary STL, which holds floats: there they are rounded. STL
+/// takes triangles only. Throws FileError, also for a mesh that no reader would take.
 void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh);
 void write_mesh(std::ostream& out, FileFormat format, const PolygonMesh& mesh,
                 std::string_view name);
