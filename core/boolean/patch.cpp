@@ -130,6 +130,7 @@ class PartLoader {
       to.next.resize(count);
       to.prev.resize(count);
       to.loop.resize(count);
+      patch_.edge_in_solid.push_back(Brep::edge_of(h));
       in_solid_.push_back(Brep::half_edge(Brep::edge_of(h), 0));
       in_solid_.push_back(Brep::half_edge(Brep::edge_of(h), 1));
       if (!from_.edge_plane.empty())
@@ -215,8 +216,9 @@ class PartLoader {
     for (std::size_t i = 0; i < to.half_edge_count(); ++i) {
       if (to.origin[i].valid()) continue;
       const HalfEdgeId first{i};
-      const VertexId v(to.vertex_count());
-      to.point.push_back(geometry_.point(from_.point_of(from_.from(in_solid_[i]))));
+      const VertexId v(to.vertex_count()), there = from_.from(in_solid_[i]);
+      patch_.vertex_in_solid.push_back(there);
+      to.point.push_back(geometry_.point(from_.point_of(there)));
       to.vertex_half_edge.push_back(first);
       HalfEdgeId h = first;
       do {

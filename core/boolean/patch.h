@@ -18,6 +18,9 @@ struct Patch {
 
   /// Per loaded face: the operand's face.
   std::vector<FaceId> face_in_solid;
+  /// Per loaded edge and vertex: the operand's. Empty if all of it is loaded.
+  std::vector<EdgeId> edge_in_solid;
+  std::vector<VertexId> vertex_in_solid;
   /// Per face: the loaded face of which it is a part.
   std::vector<FaceId> root;
   /// Per half-edge of an open end (in a rest face): the operand's half-edge; otherwise invalid.

@@ -1,32 +1,11 @@
 #include "boolean/report.h"
 
-#include <sstream>
-
+#include "boolean/report_names.h"
+#include "boolean/report_places.h"
 #include "boolean/tables.h"
 
 namespace sectile {
 namespace {
-
-template <class T>
-std::string text(const T& value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
-
-std::string_view word(Class c) {
-  switch (c) {
-    case Class::in:
-      return "in";
-    case Class::out:
-      return "out";
-    case Class::on_plus:
-      return "on+";
-    case Class::on_minus:
-      break;
-  }
-  return "on-";
-}
 
 std::string_view word(Entity::Kind kind) {
   switch (kind) {
@@ -42,65 +21,76 @@ std::string_view word(Entity::Kind kind) {
   return "nothing";
 }
 
-std::string kinds(Entity a, Entity b) {
-  return std::string(word(a.kind())) + " on " + std::string(word(b.kind()));
+std::string kinds(const Entity (&on)[2]) {
+  return std::string(word(on[0].kind())) + " on " + std::string(word(on[1].kind()));
 }
 
 void send(const Workspace& w, Phase phase, const std::vector<TraceEvent>& events) {
   w.options.observer->phase_done(phase, events);
 }
 
-const Vec3& position(const Workspace& w, std::uint32_t place) {
-  return w.geometry.position(w.point(place));
+// An event about one entity of each solid, at one place or between two.
+TraceEvent event_at(const Workspace& w, const char* kind, const Entity (&on)[2],
+                    std::vector<std::uint32_t> places) {
+  TraceEvent event;
+  event.kind = kind;
+  event.a = name_of(w.patch[0], on[0]);
+  event.b = name_of(w.patch[1], on[1]);
+  for (const std::uint32_t place : places)
+    event.points.push_back(w.geometry.position(w.point(place)));
+  event.facts.push_back({"kind", kinds(on)});
+  event.places = std::move(places);
+  return event;
 }
 
-std::vector<Vec3> ends(const Workspace& w, const Segment& s) {
-  return {position(w, s.place[0]), position(w, s.place[1])};
-}
-
-// What lies around a segment, in counter-clockwise order.
-TraceEvent neighborhood(const Workspace& w, const Segment& s, Operation operation) {
-  TraceEvent event{"neighborhood", "", "", ends(w, s), {}};
-  for (std::uint32_t i = 0; i < s.half_plane_count; ++i) {
-    const HalfPlane& h = w.half_planes[s.first_half_plane + i];
-    (h.solid == 0 ? event.a : event.b) += (h.solid == 0 ? event.a : event.b).empty() ? "" : " ";
-    (h.solid == 0 ? event.a : event.b) += text(w.carriers[h.carrier].entity);
-    const Class four_way = reclassified(operation, h.solid, h.cls);
-    std::string value = std::string(h.solid == 0 ? "A " : "B ") + text(h.face) +
-                        (h.forward ? " forward: " : " backward: ") + std::string(word(h.cls));
-    if (four_way != h.cls) value += ", reclassified " + std::string(word(four_way)) + " (Table I)";
-    value += kept(operation, h.solid, h.cls) ? ", kept" : ", dropped";
-    event.facts.push_back({"half-plane", value});
+TraceEvent event_along(const Workspace& w, const char* kind, const Segment& s) {
+  TraceEvent event;
+  event.kind = kind;
+  for (const std::uint32_t place : s.place) {
+    event.points.push_back(w.geometry.position(w.point(place)));
+    event.places.push_back(place);
   }
   return event;
 }
 
-// Vertices within faces are settled in 6.1, all other contacts in 6.2.
-bool is_vertex_face(const Workspace& w, const Segment& s) {
-  bool edge[2] = {false, false};
+void add_name(std::string& names, const std::string& name) {
+  if (!names.empty()) names += ' ';
+  names += name;
+}
+
+TraceEvent neighborhood(const Workspace& w, const Segment& s, Operation operation) {
+  TraceEvent event = event_along(w, "neighborhood", s);
   for (std::uint32_t i = 0; i < s.carrier_count; ++i) {
     const Carrier& c = w.carriers[s.first_carrier + i];
-    if (c.entity.is_edge()) edge[c.solid] = true;
+    add_name(c.solid == 0 ? event.a : event.b, name_of(w.patch[c.solid], c.entity));
   }
-  return !edge[0] && !edge[1];
+  event.half_planes = trace_half_planes(w, s, operation);
+  return event;
+}
+
+// A segment belongs to 6.2 if at one of its ends a vertex of A meets a vertex of B: once the edges
+// are subdivided, that is where no face's inside takes part.
+bool is_vertex_vertex(const Workspace& w, const Segment& s) {
+  for (int which = 0; which < 2; ++which) {
+    bool inside_face = false;
+    for (std::uint32_t i = 0; i < s.carrier_count; ++i)
+      inside_face |= w.carriers[s.first_carrier + i].end[which].is_face();
+    if (!inside_face) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 void report_reduction(const Workspace& w) {
   std::vector<TraceEvent> events;
-  for (const Contact& c : w.contacts)
-    events.push_back({"contact",
-                      text(c.on[0]),
-                      text(c.on[1]),
-                      {position(w, c.place)},
-                      {{"kind", kinds(c.on[0], c.on[1])}, {"place", std::to_string(c.place)}}});
+  for (const Contact& c : w.contacts) {
+    TraceEvent& event = events.emplace_back(event_at(w, "contact", c.on, {c.place}));
+    event.facts.push_back({"place", std::to_string(c.place)});
+    for (int s = 0; s < 2; ++s) add_sectors(w, s, c.on[s], event.sectors);
+  }
   for (const SegmentRecord& r : w.records)
-    events.push_back({"segment",
-                      text(r.on[0]),
-                      text(r.on[1]),
-                      {position(w, r.place[0]), position(w, r.place[1])},
-                      {{"kind", kinds(r.on[0], r.on[1])}}});
+    events.push_back(event_at(w, "segment", r.on, {r.place[0], r.place[1]}));
   send(w, Phase::reduction, events);
 }
 
@@ -108,23 +98,10 @@ void report_neighborhoods(const Workspace& w, Operation operation) {
   for (const Phase phase : {Phase::vertex_face, Phase::vertex_vertex}) {
     std::vector<TraceEvent> events;
     for (const Segment& s : w.segments)
-      if (is_vertex_face(w, s) == (phase == Phase::vertex_face))
+      if (is_vertex_vertex(w, s) == (phase == Phase::vertex_vertex))
         events.push_back(neighborhood(w, s, operation));
     send(w, phase, events);
   }
-}
-
-void report_null_edges(const Workspace& w) {
-  std::vector<TraceEvent> events;
-  for (const auto& [solid, edge] : w.null_edges) {
-    const Brep& brep = w.patch[solid].brep;
-    const HalfEdgeId h = Brep::half_edge(edge);
-    TraceEvent event{"null edge", "", "", {w.geometry.position(brep.point_of(brep.from(h)))}, {}};
-    (solid == 0 ? event.a : event.b) = text(edge);
-    event.facts = {{"from", text(brep.from(h))}, {"to", text(brep.to(h))}};
-    events.push_back(event);
-  }
-  send(w, Phase::null_edges, events);
 }
 
 void report_joining(const Workspace& w) {
@@ -133,10 +110,11 @@ void report_joining(const Workspace& w) {
     for (std::uint32_t i = 0; i < s.carrier_count; ++i) {
       const Carrier& c = w.carriers[s.first_carrier + i];
       if (!c.cut) continue;
-      TraceEvent event{"cut", "", "", ends(w, s), {}};
-      (c.solid == 0 ? event.a : event.b) = text(c.entity);
-      event.facts = {{"forward side", text(c.forward)}, {"backward side", text(c.backward)}};
-      events.push_back(event);
+      TraceEvent& event = events.emplace_back(event_along(w, "cut", s));
+      const Patch& patch = w.patch[c.solid];
+      (c.solid == 0 ? event.a : event.b) = name_of(patch, c.entity);
+      event.facts = {{"forward side", std::to_string(c.forward.value())},
+                     {"backward side", std::to_string(c.backward.value())}};
     }
   send(w, Phase::joining, events);
 }
@@ -151,15 +129,19 @@ void report_components(const Workspace& w, const FaceLabels& kept_faces, Operati
       stays += kept_faces.loaded[s][f];
     }
     for (const std::uint8_t label : kept_faces.rest[s]) stays += label;
-    const bool out = kept(operation, s, Class::out);
-    const std::string name = s == 0 ? (out ? "AoutB" : "AinB") : (out ? "BoutA" : "BinA");
-    events.push_back({"part",
-                      "",
-                      "",
-                      {},
-                      {{"kept", name + (reversed(operation, s) ? ", turned inside out" : "")},
-                       {"faces", std::to_string(stays)},
-                       {"loaded faces", std::to_string(all)}}});
+    if (!kept_faces.rest[s].empty()) all += kept_faces.rest[s].size() - w.patch[s].loaded_faces;
+    for (const Class c : {Class::in, Class::out}) {
+      const bool is_kept = kept(operation, s, c);
+      TraceEvent& event = events.emplace_back();
+      event.kind = "part";
+      const char* name =
+          s == 0 ? (c == Class::out ? "AoutB" : "AinB") : (c == Class::out ? "BoutA" : "BinA");
+      event.facts = {{"part", name},
+                     {"becomes", !is_kept                 ? "dropped"
+                                 : reversed(operation, s) ? "kept, turned inside out"
+                                                          : "kept"},
+                     {"faces", std::to_string(is_kept ? stays : all - stays)}};
+    }
   }
   send(w, Phase::components, events);
 }
@@ -170,29 +152,27 @@ void report_gluing(const Workspace& w, const std::vector<WedgePair>& wedges) {
   auto segment = w.segments.begin();
   for (const WedgePair& pair : wedges) {
     while (pair.first >= segment->first_half_plane + segment->half_plane_count) ++segment;
-    const HalfPlane &p = w.half_planes[pair.first], &q = w.half_planes[pair.second];
-    const auto side = [](const HalfPlane& h) {
-      return std::string(h.solid == 0 ? "A " : "B ") + text(h.face);
-    };
-    events.push_back(
-        {"wedge", "", "", ends(w, *segment), {{"between", side(p) + " and " + side(q)}}});
+    TraceEvent& event = events.emplace_back(event_along(w, "wedge", *segment));
+    std::string sides;
+    for (const std::uint32_t i : {pair.first, pair.second}) {
+      const HalfPlane& h = w.half_planes[i];
+      const std::string name = name_of(w.patch[h.solid], h.face);
+      add_name(h.solid == 0 ? event.a : event.b, name);
+      sides += (sides.empty() ? "" : " and ") + std::string(h.solid == 0 ? "A " : "B ") + name;
+    }
+    event.facts = {{"between", sides}};
   }
   send(w, Phase::gluing, events);
 }
 
 void report_cleanup(const Workspace& w, const Solid& result) {
   const SolidCounts c = result.counts();
-  send(w, Phase::cleanup,
-       {{"result",
-         "",
-         "",
-         {},
-         {{"vertices", std::to_string(c.vertices)},
-          {"edges", std::to_string(c.edges)},
-          {"faces", std::to_string(c.faces)},
-          {"loops", std::to_string(c.loops)},
-          {"shells", std::to_string(c.shells)},
-          {"genus", std::to_string(c.genus)}}}});
+  TraceEvent event;
+  event.kind = "result";
+  event.facts = {{"vertices", std::to_string(c.vertices)}, {"edges", std::to_string(c.edges)},
+                 {"faces", std::to_string(c.faces)},       {"loops", std::to_string(c.loops)},
+                 {"shells", std::to_string(c.shells)},     {"genus", std::to_string(c.genus)}};
+  send(w, Phase::cleanup, {event});
 }
 
 }  // namespace sectile

@@ -1,0 +1,146 @@
+// Null edges, and where to their ends are to be moved apart so that they can be seen.
+#include <cmath>
+#include <utility>
+
+#include "boolean/report.h"
+#include "boolean/report_names.h"
+#include "boolean/report_places.h"
+
+namespace sectile {
+namespace {
+
+void add(Vec3& sum, const Vec3& v, double weight) {
+  sum = {sum.x + weight * v.x, sum.y + weight * v.y, sum.z + weight * v.z};
+}
+
+class NullEdgeReport {
+ public:
+  explicit NullEdgeReport(const Workspace& w) : w_(w) {
+    for (int s = 0; s < 2; ++s) {
+      site_of_[s].assign(w.patch[s].brep.edge_count(), no_site);
+      pulls_[s].resize(w.patch[s].brep.vertex_count());
+    }
+    find_sites();
+    add_cuts();
+    add_edges();
+  }
+
+  std::vector<TraceEvent> events() const {
+    std::vector<TraceEvent> events;
+    for (const auto& [solid, edge] : w_.null_edges) events.push_back(event(solid, edge));
+    return events;
+  }
+
+ private:
+  static constexpr std::uint32_t no_site = 0xFFFFFFFFu;
+  struct Pull {
+    Vec3 sum, aside;
+    bool complete = false;
+  };
+
+  bool is_null(const Brep& brep, HalfEdgeId h) const {
+    return brep.point_of(brep.from(h)) == brep.point_of(brep.to(h));
+  }
+
+  // The first half-edge of each cut's chain; together they are all null edges of the site.
+  void find_sites() {
+    for (const CutEnd& end : w_.cut_ends)
+      if (end.last.valid())
+        site_of_[w_.sites[end.site].solid][Brep::edge_of(end.first).value()] = end.site;
+  }
+
+  // A cut leaves between the two ends of its chain: the first is on its left.
+  void add_cuts() {
+    for (const CutEnd& end : w_.cut_ends) {
+      if (!end.last.valid()) continue;
+      const Segment& segment = w_.segments[end.segment];
+      const Carrier& carrier = w_.carriers[end.carrier];
+      const int s = carrier.solid;
+      const Brep& brep = w_.patch[s].brep;
+      Vec3 along = unit_direction(w_, segment);
+      if (end.which == 1) along = {-along.x, -along.y, -along.z};
+      const FaceId face = carrier.entity.is_face()
+                              ? carrier.entity.face()
+                              : brep.face_of(Brep::half_edge(carrier.entity.edge()));
+      const Vec3 left = w_.patch[s].is_real(face)
+                            ? unit(cross(unit_normal(w_.geometry, w_.patch[s].plane(face)), along))
+                            : Vec3{};
+      Pull &first = pulls_[s][brep.from(end.first).value()],
+           &last = pulls_[s][brep.to(end.last).value()];
+      add(first.sum, along, 0.5);
+      add(last.sum, along, 0.5);
+      add(first.aside, left, 1);
+      add(last.aside, left, -1);
+    }
+  }
+
+  void add_edges() {
+    for (const auto& [solid, edge] : w_.null_edges)
+      for (const unsigned side : {0u, 1u}) {
+        const Brep& brep = w_.patch[solid].brep;
+        const VertexId v = brep.from(Brep::half_edge(edge, side));
+        Pull& p = pulls_[solid][v.value()];
+        if (std::exchange(p.complete, true)) continue;
+        for_each_around(brep, v, [&](HalfEdgeId h) {
+          if (!is_null(brep, h)) add(p.sum, direction(brep, h), 1);
+        });
+      }
+  }
+
+  template <class Visit>
+  void for_each_around(const Brep& brep, VertexId v, const Visit& visit) const {
+    const HalfEdgeId first = brep.vertex_half_edge[v.value()];
+    HalfEdgeId h = first;
+    do {
+      visit(h);
+      h = brep.around(h);
+    } while (h != first);
+  }
+
+  Vec3 direction(const Brep& brep, HalfEdgeId h) const {
+    return unit(between(w_.geometry.position(brep.point_of(brep.from(h))),
+                        w_.geometry.position(brep.point_of(brep.to(h)))));
+  }
+
+  // Cuts that leave in opposite directions say nothing but on which side of them a vertex is.
+  Vec3 pull(int s, VertexId v) const {
+    const Pull& p = pulls_[s][v.value()];
+    const bool balanced = std::hypot(p.sum.x, p.sum.y, p.sum.z) < 0.01;
+    return unit(balanced ? p.aside : p.sum);
+  }
+
+  TraceEvent event(std::uint8_t s, EdgeId edge) const {
+    const Patch& patch = w_.patch[s];
+    const HalfEdgeId h = Brep::half_edge(edge);
+    const VertexId from = patch.brep.from(h), to = patch.brep.to(h);
+    TraceEvent event;
+    event.kind = "null edge";
+    (s == 0 ? event.a : event.b) = name_of(patch, edge);
+    event.points = {w_.geometry.position(patch.brep.point_of(from))};
+    event.facts = {{"from", name_of(patch, from)}, {"to", name_of(patch, to)}};
+    Vec3 away = pull(s, from), towards = pull(s, to);
+    if (away == towards) away = {-towards.x, -towards.y, -towards.z};
+    event.pulls = {away, towards};
+    const std::uint32_t site = site_of_[s][edge.value()];
+    if (site == no_site) {
+      event.facts.push_back({"links", "corners that touch each other"});
+    } else {
+      event.places = {w_.sites[site].place};
+      event.facts.push_back({"at", name_of(patch, w_.sites[site].entity)});
+      event.facts.push_back({"cuts there", std::to_string(w_.sites[site].end_count)});
+    }
+    return event;
+  }
+
+  const Workspace& w_;
+  std::vector<std::uint32_t> site_of_[2];  // per edge
+  std::vector<Pull> pulls_[2];             // per vertex
+};
+
+}  // namespace
+
+void report_null_edges(const Workspace& w) {
+  w.options.observer->phase_done(Phase::null_edges, NullEdgeReport(w).events());
+}
+
+}  // namespace sectile

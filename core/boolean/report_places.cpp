@@ -1,0 +1,173 @@
+#include "boolean/report_places.h"
+
+#include <cmath>
+
+#include "boolean/report_names.h"
+#include "boolean/tables.h"
+
+namespace sectile {
+
+Vec3 unit(const Vec3& v) {
+  const double length = std::hypot(v.x, v.y, v.z);
+  return length > 0 ? Vec3{v.x / length, v.y / length, v.z / length} : Vec3{};
+}
+
+Vec3 cross(const Vec3& u, const Vec3& v) {
+  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+Vec3 between(const Vec3& from, const Vec3& to) {
+  return {to.x - from.x, to.y - from.y, to.z - from.z};
+}
+
+Vec3 unit_normal(const Geometry& geometry, PlaneId plane) {
+  const PlaneValue value = plane_value(geometry, plane);
+  return unit({value.n[0], value.n[1], value.n[2]});
+}
+
+namespace {
+
+Vec3 opposite(const Vec3& v) {
+  return {-v.x, -v.y, -v.z};
+}
+
+// Of a solid that has all its faces: the operand, or the boundary of a half-space.
+class SectorCollector {
+ public:
+  SectorCollector(const Workspace& w, int s, std::vector<TraceSector>& sectors)
+      : patch_(w.patch[s]),
+        brep_(patch_.solid ? patch_.solid->brep : patch_.brep),
+        geometry_(patch_.solid ? patch_.solid->geometry : w.geometry),
+        solid_(static_cast<std::uint8_t>(s)),
+        sectors_(sectors) {}
+
+  void add(Entity entity) {
+    if (entity.is_vertex()) add_corners(entity.vertex());
+    if (entity.is_edge()) add_sides(entity.edge());
+    if (entity.is_face()) add_face(entity.face());
+  }
+
+ private:
+  Vec3 direction(HalfEdgeId h) const {
+    return unit(between(geometry_.position(brep_.point_of(brep_.from(h))),
+                        geometry_.position(brep_.point_of(brep_.to(h)))));
+  }
+
+  TraceSector in_face(FaceId f) const {
+    TraceSector sector;
+    sector.solid = solid_;
+    sector.face = f.value();
+    sector.normal = unit_normal(geometry_, brep_.plane[f.value()]);
+    return sector;
+  }
+
+  void add_corners(VertexId v) {
+    const HalfEdgeId first = brep_.vertex_half_edge[v.value()];
+    HalfEdgeId h = first;
+    do {
+      const HalfEdgeId last = brep_.around(h);
+      TraceSector sector = in_face(brep_.face_of(h));
+      sector.from_edge = Brep::edge_of(h).value();
+      sector.to_edge = Brep::edge_of(last).value();
+      sector.from = direction(h);
+      sector.to = direction(last);
+      sectors_.push_back(sector);
+      h = last;
+    } while (h != first);
+  }
+
+  void add_sides(EdgeId e) {
+    for (const unsigned side : {0u, 1u}) {
+      const HalfEdgeId h = Brep::half_edge(e, side);
+      TraceSector sector = in_face(brep_.face_of(h));
+      sector.from_edge = sector.to_edge = e.value();
+      sector.from = direction(h);
+      sector.to = opposite(sector.from);
+      sectors_.push_back(sector);
+    }
+  }
+
+  void add_face(FaceId f) { sectors_.push_back(in_face(f)); }
+
+  const Patch& patch_;
+  const Brep& brep_;
+  const Geometry& geometry_;
+  std::uint8_t solid_;
+  std::vector<TraceSector>& sectors_;
+};
+
+std::string_view word(Class c) {
+  switch (c) {
+    case Class::in:
+      return "in";
+    case Class::out:
+      return "out";
+    case Class::on_plus:
+      return "on+";
+    case Class::on_minus:
+      break;
+  }
+  return "on-";
+}
+
+bool is_on(const HalfPlane& h) {
+  return h.cls == Class::on_plus || h.cls == Class::on_minus;
+}
+
+// Coplanar half-planes are neighbours in the order around the segment.
+int coplanar_with(std::span<const HalfPlane> planes, std::size_t i) {
+  if (!is_on(planes[i])) return -1;
+  const std::size_t count = planes.size();
+  for (const std::size_t j : {(i + 1) % count, (i + count - 1) % count}) {
+    const HalfPlane& other = planes[j];
+    const bool agree = (other.forward == planes[i].forward) == (other.cls == Class::on_plus);
+    if (other.solid != planes[i].solid && other.cls == planes[i].cls && agree)
+      return static_cast<int>(j);
+  }
+  return -1;
+}
+
+}  // namespace
+
+void add_sectors(const Workspace& w, int s, Entity entity, std::vector<TraceSector>& sectors) {
+  SectorCollector(w, s, sectors).add(in_operand(w.patch[s], entity));
+}
+
+Vec3 unit_direction(const Workspace& w, const Segment& segment) {
+  const Vec3 along = between(w.geometry.position(w.point(segment.place[0])),
+                             w.geometry.position(w.point(segment.place[1])));
+  if (along != Vec3{}) return unit(along);
+  // Ends that are one after rounding.
+  if (!segment.plane[1].valid()) return {};
+  return unit(
+      cross(unit_normal(w.geometry, segment.plane[0]), unit_normal(w.geometry, segment.plane[1])));
+}
+
+std::vector<TraceHalfPlane> trace_half_planes(const Workspace& w, const Segment& segment,
+                                              Operation operation) {
+  const Vec3 along = unit_direction(w, segment);
+  const std::span<const HalfPlane> planes =
+      std::span(w.half_planes).subspan(segment.first_half_plane, segment.half_plane_count);
+  std::vector<TraceHalfPlane> traced;
+  traced.reserve(planes.size());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const HalfPlane& h = planes[i];
+    const Carrier& carrier = w.carriers[h.carrier];
+    TraceHalfPlane t;
+    t.solid = h.solid;
+    t.forward = h.forward;
+    t.face = in_operand(w.patch[h.solid], h.face).value();
+    t.carrier = name_of(w.patch[h.solid], carrier.entity);
+    t.normal = unit_normal(w.geometry, h.plane);
+    t.direction = unit(cross(t.normal, h.forward ? along : opposite(along)));
+    t.before = word(h.cls);
+    t.after = word(reclassified(operation, h.solid, h.cls));
+    t.coplanar = coplanar_with(planes, i);
+    t.kept = kept(operation, h.solid, h.cls);
+    t.cut = carrier.cut;
+    traced.push_back(std::move(t));
+  }
+  return traced;
+}
+
+}  // namespace sectile

@@ -1,0 +1,27 @@
+// The parts of the report that show the geometry: sectors around a place, half-planes around a
+// segment. In doubles, for drawing.
+#pragma once
+
+#include <vector>
+
+#include "boolean/workspace.h"
+#include "sectile/trace.h"
+
+namespace sectile {
+
+Vec3 unit(const Vec3& v);
+Vec3 cross(const Vec3& u, const Vec3& v);
+Vec3 between(const Vec3& from, const Vec3& to);
+/// The outward normal of a plane.
+Vec3 unit_normal(const Geometry& geometry, PlaneId plane);
+/// The direction in which a segment runs.
+Vec3 unit_direction(const Workspace& w, const Segment& segment);
+
+/// Adds what the faces of solid s have around an entity of it: a cycle of sectors.
+void add_sectors(const Workspace& w, int s, Entity entity, std::vector<TraceSector>& sectors);
+
+/// The half-planes of a segment, with what becomes of them.
+std::vector<TraceHalfPlane> trace_half_planes(const Workspace& w, const Segment& segment,
+                                              Operation operation);
+
+}  // namespace sectile
