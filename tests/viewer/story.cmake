@@ -1,0 +1,1 @@
+sectile_test(story_test SOURCES story_test.cpp LIBRARIES sectile_viewer_story sectile::samples)

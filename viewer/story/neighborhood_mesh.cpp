@@ -1,0 +1,92 @@
+#include "story/neighborhood_mesh.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "story/sphere_picture.h"
+
+namespace sectile::viewer {
+namespace {
+
+SurfaceMesh& mesh_for(ClassMeshes& meshes, int solid, std::string_view code) {
+  auto& mesh = meshes[{solid, std::string(code)}];
+  if (!mesh) mesh = std::make_shared<SurfaceMesh>();
+  return *mesh;
+}
+
+void add_triangle(SurfaceMesh& mesh, const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r,
+                  const glm::dvec3& normal) {
+  for (const glm::dvec3& corner : {p, q, r}) {
+    mesh.positions.push_back(glm::vec3(corner));
+    mesh.normals.push_back(glm::vec3(normal));
+    mesh.bounds.add(corner);
+  }
+  mesh.faces.push_back(0);
+}
+
+void add_edge(SurfaceMesh& mesh, const glm::dvec3& p, const glm::dvec3& q) {
+  mesh.hard_edges.push_back(glm::vec3(p));
+  mesh.hard_edges.push_back(glm::vec3(q));
+}
+
+double arc_angle(const SpherePicture::Arc& arc) {
+  const glm::dvec3 from(arc.from), to(arc.to), normal(arc.normal);
+  const double turn = std::atan2(glm::dot(glm::cross(from, to), normal), glm::dot(from, to));
+  return turn < 1e-6 ? turn + 2 * std::numbers::pi : turn;
+}
+
+// B's sectors are drawn a little deeper in B, so that both of two that coincide can be seen.
+glm::dvec3 shifted(const glm::dvec3& centre, int solid, const glm::dvec3& normal, double size) {
+  return solid == 1 ? centre - normal * (0.01 * size) : centre;
+}
+
+void add_fan(SurfaceMesh& mesh, const SpherePicture::Arc& arc, const glm::dvec3& centre,
+             double radius) {
+  const glm::dvec3 from(arc.from), normal(arc.normal);
+  const glm::dvec3 aside = glm::cross(normal, from);
+  const double angle = arc_angle(arc);
+  const int pieces = std::max(1, static_cast<int>(std::ceil(angle / 0.15)));
+  const auto rim = [&](int i) {
+    const double t = angle * i / pieces;
+    return centre + (from * std::cos(t) + aside * std::sin(t)) * radius;
+  };
+  for (int i = 0; i < pieces; ++i) {
+    add_triangle(mesh, centre, rim(i), rim(i + 1), normal);
+    add_edge(mesh, rim(i), rim(i + 1));
+  }
+  add_edge(mesh, centre, rim(0));
+  add_edge(mesh, centre, rim(pieces));
+}
+
+}  // namespace
+
+void add_fans(const StoryRecord& record, std::uint32_t place, double radius, ClassMeshes& meshes) {
+  const auto contacts = record.contacts.at(place);
+  if (contacts.empty()) return;
+  const glm::dvec3 centre = to_glm(record.events[contacts[0]].points[0]);
+  for (const SpherePicture::Arc& arc : sphere_at(record, place).arcs) {
+    const double size = arc.solid == 0 ? radius : 0.85 * radius;
+    add_fan(mesh_for(meshes, arc.solid, arc.code), arc,
+            shifted(centre, arc.solid, glm::dvec3(arc.normal), radius), size);
+  }
+}
+
+void add_strips(const TraceEvent& neighborhood, double width, double margin, ClassMeshes& meshes) {
+  const glm::dvec3 p = to_glm(neighborhood.points[0]), q = to_glm(neighborhood.points[1]);
+  const double length = glm::length(q - p);
+  if (length <= 2 * margin) return;
+  const glm::dvec3 inwards = (q - p) * (margin / length);
+  for (const TraceHalfPlane& h : neighborhood.half_planes) {
+    const glm::dvec3 normal = to_glm(h.normal);
+    const double size = h.solid == 0 ? width : 0.85 * width;
+    const glm::dvec3 start = shifted(p + inwards, h.solid, normal, width),
+                     end = shifted(q - inwards, h.solid, normal, width),
+                     out = to_glm(h.direction) * size;
+    SurfaceMesh& mesh = mesh_for(meshes, h.solid, h.before);
+    add_triangle(mesh, start, end, end + out, normal);
+    add_triangle(mesh, start, end + out, start + out, normal);
+    add_edge(mesh, start + out, end + out);
+  }
+}
+
+}  // namespace sectile::viewer

@@ -1,0 +1,346 @@
+#include "story/story_pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "picture/theme.h"
+#include "story/exploded_parts.h"
+#include "story/neighborhood_mesh.h"
+
+namespace sectile::viewer {
+namespace {
+
+constexpr std::size_t no_step = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t most_labels = 60;
+
+double length_of(const TraceEvent& segment) {
+  return glm::length(to_glm(segment.points[1]) - to_glm(segment.points[0]));
+}
+
+double shortest_segment_at(const StoryRecord& record, std::uint32_t place) {
+  double shortest = std::numeric_limits<double>::max();
+  for (const std::uint32_t i : record.neighborhoods.at(place))
+    shortest = std::min(shortest, length_of(record.events[i]));
+  return shortest;
+}
+
+// How large a neighborhood is drawn: not larger than its segments, but to be seen in any case.
+double neighborhood_size(const StoryRecord& record, const TraceEvent& event) {
+  const double scene = record.bounds.radius();
+  double shortest = 0.3 * scene;
+  for (const std::uint32_t place : event.places)
+    shortest = std::min(shortest, shortest_segment_at(record, place));
+  return std::clamp(0.42 * shortest, 0.01 * scene, 0.14 * scene);
+}
+
+class Painter {
+ public:
+  Painter(const StoryRecord& record, Phase phase, std::size_t current, const StoryView& view)
+      : record_(record),
+        phase_(phase),
+        first_(record.first_step[static_cast<std::size_t>(phase)]),
+        last_(record.first_step[static_cast<std::size_t>(phase) + 1]),
+        current_(current),
+        view_(view),
+        theme_(theme(view.dark)) {
+    picture_.surroundings = theme_.surroundings;
+  }
+
+  Picture run() {
+    switch (phase_) {
+      case Phase::reduction:
+        paint_reduction();
+        break;
+      case Phase::vertex_face:
+      case Phase::vertex_vertex:
+        paint_neighborhoods();
+        break;
+      case Phase::null_edges:
+        paint_null_edges();
+        break;
+      case Phase::joining:
+        paint_joining();
+        break;
+      case Phase::components:
+        paint_components();
+        break;
+      case Phase::gluing:
+        paint_gluing();
+        break;
+      case Phase::cleanup:
+        paint_cleanup();
+        break;
+    }
+    paint_labels();
+    return std::move(picture_);
+  }
+
+ private:
+  // Steps before the current one.
+  std::size_t done() const { return current_ == no_step ? first_ : current_; }
+  const TraceEvent* current() const {
+    return current_ == no_step ? nullptr : &record_.event(current_);
+  }
+  Colour faint(Colour colour) const { return fainter(colour, theme_, 0.55f); }
+
+  void paint_operands(bool as_wires) {
+    for (int s = 0; s < 2; ++s) {
+      Surface surface;
+      surface.mesh = record_.operand(s);
+      surface.colour = s == 0 ? theme_.a : theme_.b;
+      surface.translucent = !as_wires;
+      surface.faces = !as_wires;
+      picture_.surfaces.push_back(surface);
+    }
+  }
+
+  static void add_segment(Lines& lines, const TraceEvent& event) {
+    for (const Vec3& p : event.points) lines.ends.push_back(glm::vec3(to_glm(p)));
+  }
+
+  Lines lines(Colour colour, float width) const {
+    Lines made;
+    made.colour = colour;
+    made.width = width;
+    made.on_top = true;
+    return made;
+  }
+  Points points(Colour colour, float size) const {
+    Points made;
+    made.colour = colour;
+    made.size = size;
+    return made;
+  }
+  void add(Lines made) {
+    if (!made.ends.empty()) picture_.lines.push_back(std::move(made));
+  }
+  void add(Points made) {
+    if (!made.places.empty()) picture_.points.push_back(std::move(made));
+  }
+
+  void highlight(const TraceEvent& event) {
+    if (event.points.size() == 2) {
+      Lines made = lines(theme_.step, 5);
+      add_segment(made, event);
+      add(made);
+    }
+    Points ends = points(theme_.step, event.points.size() == 1 ? 13.0f : 8.0f);
+    for (const Vec3& p : event.points) ends.places.push_back(glm::vec3(to_glm(p)));
+    add(ends);
+  }
+
+  void paint_reduction() {
+    paint_operands(false);
+    // Vertices that coincide; vertices in faces; edges through faces.
+    Points coincident = points(faint(theme_.coincident), 8),
+           in_face = points(faint(theme_.contact), 8), through = points(faint(theme_.contact), 5);
+    Lines across = lines(faint(theme_.contact_segment), 1.5f),
+          along = lines(faint(theme_.coincident), 2.5f);
+    for (std::size_t i = first_; i < done(); ++i) {
+      const TraceEvent& event = record_.event(i);
+      const bool face = event.a[0] == 'f' || event.b[0] == 'f';
+      if (event.kind == "segment")
+        add_segment(event.a[0] == 'f' && event.b[0] == 'f' ? across : along, event);
+      else
+        (!face                                    ? coincident
+         : event.a[0] == 'e' || event.b[0] == 'e' ? through
+                                                  : in_face)
+            .places.push_back(glm::vec3(to_glm(event.points[0])));
+    }
+    add(across);
+    add(along);
+    add(through);
+    add(in_face);
+    add(coincident);
+    if (current()) highlight(*current());
+  }
+
+  Colour class_colour(int solid, const std::string& code) const {
+    const bool a = solid == 0;
+    if (code == "in") return a ? theme_.a_in_b : theme_.b_in_a;
+    if (code == "out") return a ? theme_.a_out_b : theme_.b_out_a;
+    if (code == "on+") return a ? theme_.a_on_b_plus : theme_.b_on_a_plus;
+    if (code == "on-") return a ? theme_.a_on_b_minus : theme_.b_on_a_minus;
+    return with_alpha(theme_.neutral, 0.8f);
+  }
+
+  void paint_neighborhoods() {
+    paint_operands(true);
+    Lines before = lines(faint(theme_.contact_segment), 1.5f);
+    for (std::size_t i = first_; i < done(); ++i) add_segment(before, record_.event(i));
+    add(before);
+    if (!current()) return;
+    const TraceEvent& event = *current();
+    const double size = neighborhood_size(record_, event);
+    ClassMeshes meshes;
+    for (const std::uint32_t place : event.places) add_fans(record_, place, size, meshes);
+    add_strips(event, 0.8 * size, 1.1 * size, meshes);
+    for (const auto& [key, mesh] : meshes) {
+      Surface surface;
+      surface.mesh = mesh;
+      surface.colour = with_alpha(class_colour(key.first, key.second), 0.75f);
+      surface.translucent = true;
+      picture_.surfaces.push_back(surface);
+    }
+    highlight(event);
+  }
+
+  // How far the ends of a null edge are drawn from their common place.
+  double pull(const TraceEvent& event) const {
+    const double scene = record_.bounds.radius();
+    const double room =
+        event.places.empty() ? 0 : 0.4 * shortest_segment_at(record_, event.places[0]);
+    return std::clamp(room, 0.01 * scene, 0.1 * scene) * (0.4 + 0.6 * view_.exploded);
+  }
+
+  void add_null_edge(const TraceEvent& event, Lines& edge, Points& from, Points& to) const {
+    const glm::dvec3 place = to_glm(event.points[0]);
+    const double by = pull(event);
+    const glm::vec3 ends[2] = {glm::vec3(place + to_glm(event.pulls[0]) * by),
+                               glm::vec3(place + to_glm(event.pulls[1]) * by)};
+    edge.ends.insert(edge.ends.end(), ends, ends + 2);
+    from.places.push_back(ends[0]);
+    to.places.push_back(ends[1]);
+  }
+
+  void paint_null_edges() {
+    paint_operands(true);
+    Lines edges = lines(faint(theme_.null_edge), 2);
+    Points from = points(faint(theme_.null_edge_above), 6),
+           to = points(faint(theme_.null_edge_below), 6);
+    for (std::size_t i = first_; i < done(); ++i) add_null_edge(record_.event(i), edges, from, to);
+    add(edges);
+    add(from);
+    add(to);
+    if (!current()) return;
+    Lines edge = lines(theme_.step, 4);
+    Points one = points(theme_.null_edge_above, 11), other = points(theme_.null_edge_below, 11);
+    add_null_edge(*current(), edge, one, other);
+    add(edge);
+    add(one);
+    add(other);
+  }
+
+  void paint_joining() {
+    paint_operands(true);
+    Lines joined = lines(theme_.cut, 3), waiting = lines(faint(theme_.contact_segment), 1);
+    Points ends = points(theme_.null_edge, 6);
+    for (std::size_t i = first_; i < last_; ++i) {
+      const TraceEvent& event = record_.event(i);
+      add_segment(i < done() ? joined : waiting, event);
+      if (i > done() || !current())
+        for (const Vec3& p : event.points) ends.places.push_back(glm::vec3(to_glm(p)));
+    }
+    add(waiting);
+    add(joined);
+    add(ends);
+    if (current()) highlight(*current());
+  }
+
+  void paint_part(const Part& part, double exploded, bool highlighted) {
+    if (part.mesh->positions.empty()) return;
+    Surface surface;
+    surface.mesh = part.mesh;
+    surface.colour = part.colour;
+    surface.model[3] = glm::dvec4(part.direction * exploded, 1);
+    surface.highlighted = highlighted;
+    picture_.surfaces.push_back(surface);
+    if (!view_.labels) return;
+    picture_.labels.push_back(
+        {part.mesh->bounds.centre() + part.direction * exploded, part.name, theme_.text});
+  }
+
+  void paint_components() {
+    const std::string_view now = current() ? current()->fact("part") : "";
+    for (const Part& part : parts_of(record_, theme_, view_.eight_way))
+      paint_part(part, view_.exploded, part.name == now);
+  }
+
+  // The more wedges are glued, the closer the kept parts are to each other.
+  double apart() const {
+    if (last_ == first_) return view_.exploded;
+    const double left =
+        current() ? static_cast<double>(last_ - 1 - current_) / static_cast<double>(last_ - first_)
+                  : 1;
+    return left * std::max(view_.exploded, 0.3);
+  }
+
+  void paint_gluing() {
+    const double exploded = apart();
+    for (Part& part : parts_of(record_, theme_, false)) {
+      if (part.kept) {
+        if (part.turned) part.mesh = turned_inside_out(*part.mesh);
+        paint_part(part, exploded, false);
+      } else if (!part.mesh->positions.empty()) {
+        Surface ghost;
+        ghost.mesh = part.mesh;
+        ghost.colour = with_alpha(part.colour, 0.12f);
+        ghost.translucent = true;
+        picture_.surfaces.push_back(ghost);
+      }
+    }
+    Lines seams = lines(theme_.cut, 3);
+    for (std::size_t i = first_; i < done(); ++i) add_segment(seams, record_.event(i));
+    add(seams);
+    if (current()) highlight(*current());
+  }
+
+  void paint_cleanup() {
+    Surface surface;
+    surface.mesh = record_.result_mesh();
+    surface.colour = theme_.result;
+    if (!surface.mesh->positions.empty()) picture_.surfaces.push_back(surface);
+  }
+
+  static std::string label_of(const TraceEvent& event) {
+    std::string text = event.a.empty() ? "" : "A " + event.a;
+    if (!event.b.empty()) text += (text.empty() ? "B " : " · B ") + event.b;
+    return text;
+  }
+
+  void add_label(const TraceEvent& event) {
+    if (event.points.empty()) return;
+    glm::dvec3 centre(0);
+    for (const Vec3& p : event.points) centre += to_glm(p);
+    picture_.labels.push_back(
+        {centre / static_cast<double>(event.points.size()), label_of(event), theme_.text});
+  }
+
+  void paint_labels() {
+    if (!view_.labels) return;
+    if (done() - first_ <= most_labels)
+      for (std::size_t i = first_; i < done(); ++i) add_label(record_.event(i));
+    if (current()) add_label(*current());
+  }
+
+  const StoryRecord& record_;
+  Phase phase_;
+  std::size_t first_, last_, current_;
+  const StoryView& view_;
+  const Theme& theme_;
+  Picture picture_;
+};
+
+}  // namespace
+
+Picture draw_step(const StoryRecord& record, std::size_t step, const StoryView& view) {
+  return Painter(record, record.steps.at(step).phase, step, view).run();
+}
+
+Picture draw_phase(const StoryRecord& record, Phase phase, const StoryView& view) {
+  return Painter(record, phase, no_step, view).run();
+}
+
+Bounds place_of_step(const StoryRecord& record, std::size_t step) {
+  const TraceEvent& event = record.events[record.steps.at(step).event];
+  if (event.points.empty()) return record.bounds;
+  Bounds bounds;
+  for (const Vec3& p : event.points) bounds.add(to_glm(p));
+  const double room = 2 * neighborhood_size(record, event);
+  bounds.add(bounds.low - room);
+  bounds.add(bounds.high + room);
+  return bounds;
+}
+
+}  // namespace sectile::viewer

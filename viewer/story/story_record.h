@@ -1,0 +1,68 @@
+// What a story knows: the events of all phases, found by place, and the surfaces for its pictures.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "picture/surface_mesh.h"
+#include "sectile/sectile.h"
+#include "story/step.h"
+
+namespace sectile::viewer {
+
+using Mesh = std::shared_ptr<const SurfaceMesh>;
+
+/// The numbers of events by place, in the order of the events.
+class EventsByPlace {
+ public:
+  EventsByPlace() = default;
+  EventsByPlace(const std::vector<TraceEvent>& events, std::string_view kind);
+  std::span<const std::uint32_t> at(std::uint32_t place) const;
+
+ private:
+  std::vector<std::uint32_t> start_, events_;
+};
+
+struct StoryRecord {
+  Solid a, b, result;
+  Operation operation = Operation::unite;
+  std::vector<TraceEvent> events;
+  std::vector<StepRecord> steps;
+  std::array<std::size_t, 9> first_step{};  ///< per phase, and one past all
+  EventsByPlace contacts, neighborhoods, null_edges;
+  Bounds bounds;  ///< of the operands
+
+  const TraceEvent& event(std::size_t step) const { return events[steps[step].event]; }
+  /// The neighborhood of the segment between two places; null if there is none.
+  const TraceEvent* neighborhood(std::uint32_t from, std::uint32_t to) const;
+
+  /// Made when first asked for.
+  const Mesh& operand(int solid) const;
+  const Mesh& result_mesh() const;
+  /// AinB, AoutB, BinA, BoutA.
+  const std::array<Mesh, 4>& four_parts() const;
+  /// AinB, AoutB, AonB+, AonB-, and the same of B.
+  const std::array<Mesh, 8>& eight_parts() const;
+
+ private:
+  mutable std::once_flag operands_once_, result_once_, four_once_, eight_once_;
+  mutable std::array<Mesh, 2> operands_;
+  mutable Mesh result_mesh_;
+  mutable std::array<Mesh, 4> four_;
+  mutable std::array<Mesh, 8> eight_;
+};
+
+/// Runs the operation and keeps what it reports.
+std::shared_ptr<const StoryRecord> record_story(const Solid& a, const Solid& b, Operation operation,
+                                                const std::atomic<bool>* cancel);
+
+/// Coordinates, for the eye.
+inline glm::dvec3 to_glm(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+}  // namespace sectile::viewer

@@ -1,0 +1,27 @@
+// Names and turns of phrase that the texts of all phases share.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "story/story_record.h"
+
+namespace sectile::viewer {
+
+/// "vertex v3", "edge e2", "face f1".
+std::string with_kind(std::string_view entity);
+/// The same with "of A" or "of B".
+std::string of_solid(int solid, std::string_view entity);
+/// "AinB", "AonB+", … for a class as traced.
+std::string part_name(int solid, std::string_view code);
+/// "∪", "∩" or "\".
+std::string sign(Operation operation);
+/// "A ∪ B", …
+std::string formula(Operation operation);
+/// Equation (4) for an operation, as a sentence.
+std::string equation_4(Operation operation);
+std::string capital(std::string text);
+/// "(1, 2.5, 3)".
+std::string coordinates(const Vec3& point);
+
+}  // namespace sectile::viewer
