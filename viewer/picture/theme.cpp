@@ -28,6 +28,9 @@ Theme meaning() {
   t.handle_x = hex(0xd6405a);
   t.handle_y = hex(0x4f9e35);
   t.handle_z = hex(0x3b78e0);
+  t.surroundings.axis_x = t.handle_x;
+  t.surroundings.axis_y = t.handle_y;
+  t.surroundings.axis_z = t.handle_z;
   return t;
 }
 
@@ -43,7 +46,7 @@ Theme light() {
   t.contact = hex(0xc4206a);
   t.contact_segment = hex(0xc4206a);
   t.step = hex(0xe0115f);
-  t.selection = hex(0xf0319b);
+  t.selection = t.surroundings.outline = hex(0xf0319b);
   t.hover = hex(0xf58cc6);
   t.handle_active = hex(0xffc21a);
   t.text = hex(0x1b2027);
@@ -63,7 +66,7 @@ Theme dark() {
   t.contact = hex(0xff5c9e);
   t.contact_segment = hex(0xff5c9e);
   t.step = hex(0xff3d86);
-  t.selection = hex(0xff5db4);
+  t.selection = t.surroundings.outline = hex(0xff5db4);
   t.hover = hex(0xb8578d);
   t.handle_active = hex(0xffd24a);
   t.null_edge = hex(0xb266e6);

@@ -20,10 +20,10 @@ class GraphicsContext {
   virtual ~GraphicsContext() = default;
   /// Makes the context current and (re)loads the OpenGL functions for it if another one was.
   virtual void make_current() = 0;
-  virtual int width() const = 0;   ///< of the frame buffer, in pixels
+  virtual int width() const = 0;  ///< of the frame buffer, in pixels
   virtual int height() const = 0;
-  virtual float scale() const = 0; ///< pixels for each unit of the user interface (200 % is 2)
-  virtual void present() = 0;      ///< shows the frame (nothing to do off-screen)
+  virtual float scale() const = 0;  ///< pixels for each unit of the user interface (200 % is 2)
+  virtual void present() = 0;       ///< shows the frame (nothing to do off-screen)
 };
 
 /// Opens libOSMesa at run time; throws std::runtime_error with a message that says what to install.

@@ -23,10 +23,10 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  void begin_frame();                                   ///< makes the context current, clears
+  void begin_frame();  ///< makes the context current, clears
   void draw(const Picture& picture, const Viewport& viewport);
-  void draw(const ImDrawData& interface);               ///< the font texture included
-  Image read_frame();                                   ///< what was drawn since begin_frame
+  void draw(const ImDrawData& interface);  ///< the font texture included
+  Image read_frame();                      ///< what was drawn since begin_frame
 
  private:
   class Implementation;

@@ -1,0 +1,209 @@
+#include "render/surfaces.h"
+
+#include <algorithm>
+
+namespace sectile::viewer {
+namespace {
+
+// Peeling draws every translucent face twice for each layer. That is exact also where bodies
+// interpenetrate, which is what this program is about; in motion large meshes cannot afford it.
+constexpr GLsizei corners_to_peel_in_motion = 3 * 12000;
+constexpr int layers_in_motion = 8;
+constexpr int layers_at_rest = 24;
+
+// Clipping by the section's plane, for as long as this lives.
+class SectionClipping {
+ public:
+  explicit SectionClipping(const View& view) {
+    if (view.picture.section.active) glEnable(GL_CLIP_DISTANCE0);
+  }
+  ~SectionClipping() { glDisable(GL_CLIP_DISTANCE0); }
+  SectionClipping(const SectionClipping&) = delete;
+  SectionClipping& operator=(const SectionClipping&) = delete;
+};
+
+// Coplanar faces of several surfaces would fight for the pixels: each surface lies a little in
+// front of those before it.
+double depth_shift(const View& view, std::size_t index) {
+  const double count = static_cast<double>(view.picture.surfaces.size());
+  const double each = std::min(4e-6, 2e-4 / count);
+  return (count - static_cast<double>(index)) * each;
+}
+
+bool mirrors(const glm::dmat4& model) {
+  return glm::determinant(glm::dmat3(model)) < 0;
+}
+
+}  // namespace
+
+SurfaceDrawer::SurfaceDrawer(MeshCache& meshes)
+    : meshes_(meshes),
+      shaded_("surface.vert", "surface.frag"),
+      depth_only_("surface.vert", "nothing.frag"),
+      peel_("surface.vert", "peel.frag"),
+      peel_multisampled_("surface.vert", "peel.frag", "#define MULTISAMPLE\n") {}
+
+bool SurfaceDrawer::is_drawn(const Surface& surface, Which which) const {
+  return surface.mesh && surface.faces && surface.translucent == (which == Which::translucent);
+}
+
+void SurfaceDrawer::set_place(ShaderProgram& program, const View& view, const Surface& surface,
+                              double shift) {
+  program.set("model_to_clip", glm::mat4(view.to_clip * surface.model));
+  program.set("normal_to_world",
+              glm::mat3(glm::transpose(glm::inverse(glm::dmat3(surface.model)))));
+  program.set("kept_side", view.kept_side(surface.model));
+  program.set("depth_shift", static_cast<float>(shift));
+  glFrontFace(mirrors(surface.model) ? GL_CW : GL_CCW);
+}
+
+void SurfaceDrawer::set_look(ShaderProgram& program, const View& view, const Surface& surface) {
+  const glm::vec3 colour = surface.highlighted
+                               ? glm::mix(glm::vec3(surface.colour), glm::vec3(1), 0.18f)
+                               : glm::vec3(surface.colour);
+  program.set("colour", colour);
+  program.set("key_light", glm::vec3(view.key_light));
+  program.set("alpha", surface.translucent ? surface.colour.a : 1.0f);
+  program.set("cut_open", view.picture.section.active && !surface.translucent ? 1 : 0);
+  program.set("hatch_width", 7 * view.scale);
+}
+
+void SurfaceDrawer::draw_one(const Surface& surface) {
+  const MeshBuffers& buffers = meshes_.buffers(surface.mesh);
+  glBindVertexArray(buffers.triangles.id());
+  glDrawArrays(GL_TRIANGLES, 0, buffers.corners);
+}
+
+void SurfaceDrawer::draw_all(ShaderProgram& program, const View& view, Which which) {
+  const SectionClipping clipping(view);
+  const auto& surfaces = view.picture.surfaces;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!is_drawn(surfaces[i], which)) continue;
+    set_place(program, view, surfaces[i], depth_shift(view, i));
+    if (&program == &shaded_) set_look(program, view, surfaces[i]);
+    draw_one(surfaces[i]);
+  }
+}
+
+void SurfaceDrawer::draw_opaque(const View& view) {
+  // Pushed back a little, so that edges and other lines on the faces win.
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.6f, 4.0f);
+  shaded_.use();
+  draw_all(shaded_, view, Which::opaque);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void SurfaceDrawer::add_translucent_depth(const View& view) {
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.6f, 4.0f);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  depth_only_.use();
+  draw_all(depth_only_, view, Which::translucent);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void SurfaceDrawer::draw_translucent(const View& view, Targets& targets) {
+  GLsizei corners = 0;
+  for (const Surface& surface : view.picture.surfaces)
+    if (is_drawn(surface, Which::translucent)) corners += meshes_.buffers(surface.mesh).corners;
+  if (corners == 0) return;
+  if (view.is_fast() && corners > corners_to_peel_in_motion)
+    draw_sorted(view);
+  else
+    peel(view, targets);
+}
+
+// From the farthest layer to the nearest. Each is found by a depth pass that keeps what lies in
+// front of the layer before (at first: of the opaque faces), then blended over the picture where
+// the depth is the one found.
+void SurfaceDrawer::peel(const View& view, Targets& targets) {
+  ShaderProgram& find = targets.is_multisampled() ? peel_multisampled_ : peel_;
+  const int most = view.is_fast() ? layers_in_motion : layers_at_rest;
+  for (int layer = 0; layer < most; ++layer) {
+    targets.bind_layer(layer % 2);
+    targets.bind_depth_texture(layer == 0 ? -1 : (layer + 1) % 2);
+    glClearDepth(0);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glClearDepth(1);
+    glDepthFunc(GL_GREATER);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    find.use();
+    find.set("layer_before", 0);
+    find.set("gap", layer == 0 ? 0.0f : 2e-7f);
+    glBeginQuery(GL_ANY_SAMPLES_PASSED, any_pixel_.id());
+    draw_all(find, view, Which::translucent);
+    glEndQuery(GL_ANY_SAMPLES_PASSED);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    GLuint found = 0;
+    glGetQueryObjectuiv(any_pixel_.id(), GL_QUERY_RESULT, &found);
+    if (!found) break;
+
+    glDepthFunc(GL_EQUAL);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    shaded_.use();
+    draw_all(shaded_, view, Which::translucent);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+  }
+  glDepthFunc(GL_LESS);
+  targets.bind_main();
+}
+
+// Surface by surface from far to near, back faces before front faces: exact for convex bodies that
+// do not interpenetrate, close for others, and hardly dearer than opaque drawing.
+void SurfaceDrawer::draw_sorted(const View& view) {
+  struct Place {
+    double depth;
+    std::size_t index;
+  };
+  std::vector<Place> order;
+  const auto& surfaces = view.picture.surfaces;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!is_drawn(surfaces[i], Which::translucent)) continue;
+    const glm::dvec4 centre =
+        view.to_clip * surfaces[i].model * glm::dvec4(surfaces[i].mesh->bounds.centre(), 1);
+    order.push_back({centre.z / centre.w, i});
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Place& a, const Place& b) { return a.depth > b.depth; });
+  const SectionClipping clipping(view);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glEnable(GL_CULL_FACE);
+  shaded_.use();
+  for (const GLenum culled : {GL_FRONT, GL_BACK}) {
+    glCullFace(culled);
+    for (const Place& place : order) {
+      const Surface& surface = surfaces[place.index];
+      set_place(shaded_, view, surface, depth_shift(view, place.index));
+      set_look(shaded_, view, surface);
+      draw_one(surface);
+    }
+  }
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+}
+
+void SurfaceDrawer::mark_highlighted(const View& view) {
+  const SectionClipping clipping(view);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_ALWAYS, 1, 255);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  depth_only_.use();
+  for (const Surface& surface : view.picture.surfaces) {
+    if (!surface.mesh || !surface.highlighted) continue;
+    set_place(depth_only_, view, surface, 0);
+    draw_one(surface);
+  }
+  glDisable(GL_STENCIL_TEST);
+  glEnable(GL_DEPTH_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+}  // namespace sectile::viewer
