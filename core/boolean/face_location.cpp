@@ -36,14 +36,22 @@ Entity locate_in_triangle(const Kernel& kernel, const Patch& patch, HalfEdgeId f
 
 }  // namespace
 
-Entity locate(const Kernel& kernel, const Patch& patch, FaceId face, const Probe& point) {
-  if (patch.unbounded) return face;
+void locate(const Kernel& kernel, const Patch& patch, FaceId face, const Probe& point,
+            std::vector<Entity>& found) {
+  found.clear();
+  if (patch.unbounded) {
+    found.push_back(face);
+    return;
+  }
   const Brep& brep = patch.brep;
   const LoopId outer = brep.outer_loop[face.value()];
   const HalfEdgeId first = brep.loop_half_edge[outer.value()];
   if (!brep.next_loop[outer.value()].valid() &&
-      brep.next_of(brep.next_of(brep.next_of(first))) == first)
-    return locate_in_triangle(kernel, patch, first, point);
+      brep.next_of(brep.next_of(brep.next_of(first))) == first) {
+    const Entity on = locate_in_triangle(kernel, patch, first, point);
+    if (!on.is_nothing()) found.push_back(on);
+    return;
+  }
 
   RayCount count(kernel, patch, patch.plane(face), point);
   if (const BoxTree* tree = patch.half_edge_tree[face.value()].get()) {
@@ -57,8 +65,8 @@ Entity locate(const Kernel& kernel, const Patch& patch, FaceId face, const Probe
   } else {
     for_each_in_face(brep, face, [&](HalfEdgeId h) { count.add(h); });
   }
-  if (!count.touched().is_nothing()) return count.touched();
-  return count.odd() ? Entity(face) : Entity();
+  found = count.touched();
+  if (found.empty() && count.odd()) found.push_back(face);
 }
 
 }  // namespace sectile

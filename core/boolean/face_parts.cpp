@@ -99,13 +99,23 @@ class Family {
   }
 
   bool turns_left(LoopId l) {
+    collect_points(l);
+    return points_.size() > 2 && is_counter_clockwise(kernel_, patch_.plane(root_), points_);
+  }
+
+  Estimate area_of(LoopId l) {
+    collect_points(l);
+    const int k = kernel_.main_axis(patch_.plane(root_));
+    return estimated_area(w_.geometry, points_, (k + 1) % 3, (k + 2) % 3);
+  }
+
+  void collect_points(LoopId l) {
     points_.clear();
     for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
       const PointId p = brep_.point_of(brep_.from(h));
       if (points_.empty() || points_.back() != p) points_.push_back(p);
     });
     if (points_.size() > 1 && points_.back() == points_.front()) points_.pop_back();
-    return points_.size() > 2 && is_counter_clockwise(kernel_, patch_.plane(root_), points_);
   }
 
   // Loops stay with their face where possible.
@@ -129,80 +139,130 @@ class Family {
     }
   }
 
-  // The outer loop that surrounds an inner one: the one around one of its points, or, if all of its
-  // points lie on outer loops, the one into whose inside one of its edges leads.
+  // The innermost of the outer loops that surround an inner one.
   LoopId around(LoopId inner) {
-    build_tree();
-    LoopId found;
-    for_each_in_loop(brep_, inner, [&](HalfEdgeId h) {
-      if (!found.valid()) found = around_point(h);
-    });
-    if (!found.valid() && !patch_.unbounded)
-      throw InternalError("an inner loop lies in no part of its face");
-    return found;
+    build_trees();
+    const HalfEdgeId any = brep_.loop_half_edge[inner.value()];
+    const Vec3& at = w_.geometry.position(brep_.point_of(brep_.from(any)));
+    std::uint32_t innermost = none;
+    loop_tree_.query([&](const Box& b) { return b.contains(at); },
+                     [&](std::uint32_t i) {
+                       if (surrounds(i, inner) && (innermost == none || is_within(i, innermost)))
+                         innermost = i;
+                     });
+    if (innermost != none) return outer_[innermost];
+    if (!patch_.unbounded) throw InternalError("an inner loop lies in no part of its face");
+    return {};
   }
 
-  LoopId around_point(HalfEdgeId h) {
-    const PointId p = brep_.point_of(brep_.from(h));
-    const Probe probe(kernel_, p);
-    const Vec3& at = w_.geometry.position(p);
-    std::vector<std::pair<LoopId, RayCount>> counts;
-    const RayCount start(kernel_, patch_, patch_.plane(root_), probe);
-    const int i = start.i(), j = start.j();
+  // Loops do not cross, so one point of a loop tells for all, or, if all are on the outer loop, one
+  // edge that leads away from it.
+  bool surrounds(std::uint32_t outer, LoopId loop) const {
+    bool decided = false, inside = false;
+    const auto by_point = [&](HalfEdgeId h) {
+      if (decided) return;
+      const PointId p = brep_.point_of(brep_.from(h));
+      const Probe probe(kernel_, p);
+      RayCount count(kernel_, patch_, patch_.plane(root_), probe);
+      count_crossings(outer, w_.geometry.position(p), count);
+      if (!count.touched().empty()) return;
+      decided = true;
+      inside = count.odd();
+    };
+    const auto by_direction = [&](HalfEdgeId h) {
+      if (decided || !patch_.side(h).valid()) return;
+      const PointId p = brep_.point_of(brep_.from(h));
+      const Probe probe(kernel_, p);
+      RayCount count(kernel_, patch_, patch_.plane(root_), probe);
+      count_crossings(outer, w_.geometry.position(p), count);
+      const Standing::Where where = standing_of(h, outer_[outer], count.touched());
+      if (where == Standing::Where::along) return;
+      decided = true;
+      inside = where == Standing::Where::inside;
+    };
+    for_each_in_loop(brep_, loop, by_point);
+    if (!decided) for_each_in_loop(brep_, loop, by_direction);
+    return inside;
+  }
+
+  Standing::Where standing_of(HalfEdgeId h, LoopId outer,
+                              const std::vector<Entity>& touched) const {
+    std::vector<BoundaryItem> items;
+    for (const Entity entity : touched) {
+      const auto add = [&](HalfEdgeId i) {
+        if (brep_.loop_of(i) == outer) items.push_back({entity, i});
+      };
+      if (entity.is_edge()) {
+        add(Brep::half_edge(entity.edge(), 0));
+        add(Brep::half_edge(entity.edge(), 1));
+      } else {
+        for_each_around(brep_, brep_.vertex_half_edge[entity.vertex().value()], add);
+      }
+    }
+    if (items.empty()) return Standing::Where::along;
+    return standing(kernel_, patch_, brep_.loop_face[outer.value()], items,
+                    direction_of(kernel_, patch_, h))
+        .where;
+  }
+
+  // Of two outer loops around one point: is the first one within the second?
+  bool is_within(std::uint32_t first, std::uint32_t second) const {
+    const Estimate a = areas_[first], b = areas_[second];
+    const double larger = std::abs(b.value) - std::abs(a.value);
+    if (std::abs(larger) > a.error + b.error) return larger > 0;
+    return surrounds(second, outer_[first]);
+  }
+
+  void count_crossings(std::uint32_t outer, const Vec3& at, RayCount& count) const {
+    const int i = count.i(), j = count.j();
     const auto meets = [&](const Box& b) {
       return b.low[j] <= on_axis(at, j) && on_axis(at, j) <= b.high[j] &&
              b.high[i] >= on_axis(at, i);
     };
-    tree_.query(meets, [&](std::uint32_t item) {
-      const HalfEdgeId e = tree_half_edges_[item];
-      const LoopId l = brep_.loop_of(e);
-      auto entry =
-          std::find_if(counts.begin(), counts.end(), [&](const auto& c) { return c.first == l; });
-      if (entry == counts.end()) entry = counts.insert(counts.end(), {l, start});
-      entry->second.add(e);
-    });
-    bool touches = false;
-    for (const auto& [l, count] : counts) {
-      if (!count.touched().is_nothing())
-        touches = true;
-      else if (count.odd())
-        return l;
+    const std::uint32_t first = outer == 0 ? 0 : outer_end_[outer - 1];
+    if (const BoxTree* tree = edge_trees_[outer].get()) {
+      tree->query(meets, [&](std::uint32_t item) { count.add(outer_edges_[first + item]); });
+      return;
     }
-    return touches ? around_direction(h, counts) : LoopId();
+    for (std::uint32_t e = first; e < outer_end_[outer]; ++e)
+      if (meets(edge_box(outer_edges_[e]))) count.add(outer_edges_[e]);
   }
 
-  LoopId around_direction(HalfEdgeId h, const std::vector<std::pair<LoopId, RayCount>>& counts) {
-    if (!patch_.side(h).valid()) return {};
-    const Direction d = direction_of(kernel_, patch_, h);
-    for (const auto& [l, count] : counts) {
-      if (count.touched().is_nothing()) continue;
-      std::vector<BoundaryItem> items, of_loop;
-      add_items(patch_, brep_.loop_face[l.value()], count.touched(), items);
-      for (const BoundaryItem& item : items)
-        if (brep_.loop_of(item.h) == l) of_loop.push_back(item);
-      if (of_loop.empty()) continue;
-      const Standing at = standing(kernel_, patch_, brep_.loop_face[l.value()], of_loop, d);
-      if (at.where == Standing::Where::inside) return l;
-    }
-    return {};
+  Box edge_box(HalfEdgeId h) const {
+    Bounds edge;
+    edge.add(w_.geometry.position(brep_.point_of(brep_.from(h))));
+    edge.add(w_.geometry.position(brep_.point_of(brep_.to(h))));
+    return edge.box();
   }
 
-  void build_tree() {
+  void build_trees() {
     if (tree_root_ == root_) return;
     tree_root_ = root_;
-    tree_half_edges_.clear();
-    std::vector<Box> boxes;
-    for (const LoopId l : outer_)
+    outer_edges_.clear();
+    outer_end_.clear();
+    edge_trees_.clear();
+    areas_.clear();
+    std::vector<Box> loop_boxes, edge_boxes;
+    for (const LoopId l : outer_) {
+      edge_boxes.clear();
+      Box all;
       for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
         if (!patch_.side(h).valid()) return;  // a null edge
-        Bounds bounds;
-        bounds.add(w_.geometry.position(brep_.point_of(brep_.from(h))));
-        bounds.add(w_.geometry.position(brep_.point_of(brep_.to(h))));
-        boxes.push_back(bounds.box());
-        tree_half_edges_.push_back(h);
+        outer_edges_.push_back(h);
+        edge_boxes.push_back(edge_box(h));
+        all.add(edge_boxes.back());
       });
-    tree_ = BoxTree(boxes);
+      loop_boxes.push_back(all);
+      areas_.push_back(area_of(l));
+      outer_end_.push_back(static_cast<std::uint32_t>(outer_edges_.size()));
+      edge_trees_.push_back(edge_boxes.size() < many_edges ? nullptr
+                                                           : std::make_unique<BoxTree>(edge_boxes));
+    }
+    loop_tree_ = BoxTree(loop_boxes);
   }
+
+  static constexpr std::size_t many_edges = 24;
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
   Workspace& w_;
   const Kernel& kernel_;
@@ -211,8 +271,11 @@ class Family {
   FaceId root_, tree_root_, endless_;
   std::vector<LoopId> outer_, inner_;
   std::vector<PointId> points_;
-  BoxTree tree_;
-  std::vector<HalfEdgeId> tree_half_edges_;
+  BoxTree loop_tree_;  // over the outer loops
+  std::vector<HalfEdgeId> outer_edges_;
+  std::vector<std::uint32_t> outer_end_;              // per outer loop: end of its edges
+  std::vector<Estimate> areas_;                       // per outer loop
+  std::vector<std::unique_ptr<BoxTree>> edge_trees_;  // per outer loop, if it has many edges
 };
 
 }  // namespace

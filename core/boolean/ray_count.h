@@ -1,6 +1,9 @@
 // Point in polygon by counting the crossings of a ray, exactly.
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "boolean/entity.h"
 #include "boolean/patch.h"
 #include "geometry/probe.h"
@@ -23,7 +26,8 @@ class RayCount {
   int i() const { return i_; }
   int j() const { return j_; }
   bool odd() const { return odd_; }
-  Entity touched() const { return touched_; }
+  /// The vertices and edges on which the point lies; several where the loops touch themselves.
+  const std::vector<Entity>& touched() const { return touched_; }
 
   void add(HalfEdgeId h) {
     const Brep& brep = patch_->brep;
@@ -31,15 +35,15 @@ class RayCount {
     const Sign ju = point_->compare(u, j_), jv = point_->compare(v, j_);
     if (ju != Sign::zero && ju == jv) return;
     if (ju == Sign::zero && point_->compare(u, i_) == Sign::zero) {
-      touched_ = brep.from(h);
+      touch(brep.from(h));
       return;
     }
     if (jv == Sign::zero && point_->compare(v, i_) == Sign::zero) {
-      touched_ = brep.to(h);
+      touch(brep.to(h));
       return;
     }
     if (ju == Sign::zero && jv == Sign::zero) {
-      if (point_->compare(u, i_) != point_->compare(v, i_)) touched_ = Brep::edge_of(h);
+      if (point_->compare(u, i_) != point_->compare(v, i_)) touch(Brep::edge_of(h));
       return;
     }
     // Half-open: a point level with the line counts as above it.
@@ -53,7 +57,7 @@ class RayCount {
     const PlaneId across = patch_->side(h);
     const Sign side = point_->side(across);
     if (side == Sign::zero) {
-      touched_ = Brep::edge_of(h);
+      touch(Brep::edge_of(h));
       return;
     }
     // The half-edge runs along sense · (n × normal(across)); its left side has the sign -sense.
@@ -64,13 +68,18 @@ class RayCount {
   }
 
  private:
+  void touch(Entity entity) {
+    if (std::find(touched_.begin(), touched_.end(), entity) == touched_.end())
+      touched_.push_back(entity);
+  }
+
   const Kernel* kernel_;
   const Patch* patch_;
   PlaneId plane_;
   const Probe* point_;
   int k_, i_, j_;
   bool odd_ = false;
-  Entity touched_;
+  std::vector<Entity> touched_;
 };
 
 }  // namespace sectile

@@ -87,4 +87,14 @@ void for_each_in_face(const Brep& brep, FaceId face, Visit&& visit) {
     for_each_in_loop(brep, l, visit);
 }
 
+/// Calls visit(HalfEdgeId) for every half-edge that leaves the origin of one, counter-clockwise.
+template <class Visit>
+void for_each_around(const Brep& brep, HalfEdgeId first, Visit&& visit) {
+  HalfEdgeId h = first;
+  do {
+    visit(h);
+    h = brep.around(h);
+  } while (h != first);
+}
+
 }  // namespace sectile

@@ -1,1 +1,2 @@
-sectile_test(hubs_test SOURCES hubs_test.cpp LIBRARIES sectile::core)
+sectile_test(hubs_test SOURCES hubs_test.cpp)
+sectile_test(face_parts_test SOURCES face_parts_test.cpp)

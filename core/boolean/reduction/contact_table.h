@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "boolean/reduction/reduction.h"
@@ -35,7 +36,8 @@ struct ContactTable {
   std::vector<std::pair<EdgeId, EdgeId>> flat_crossings;
   std::vector<PairOfFaces> pairs;  ///< not separated by one of their planes
 
-  const Hit* find(int solid, Entity piercer, FaceId face) const;
+  /// Where a piercer meets a face; on several entities where the face touches itself.
+  std::span<const Hit> find(int solid, Entity piercer, FaceId face) const;
 };
 
 /// A corner's half-edge with the sides of its ends relative to the other face's plane.

@@ -30,6 +30,7 @@ struct PairOutput {
   std::vector<std::pair<EdgeId, EdgeId>> flat_crossings;
   std::vector<PairOfFaces> pairs;
   std::vector<SidedHalfEdge> sided[2];  // scratch
+  std::vector<Entity> found;            // scratch
 };
 
 class PairTest {
@@ -74,8 +75,8 @@ class PairTest {
   }
 
   void record(int s, Entity piercer, FaceId other, const Probe& probe) {
-    const Entity found = locate(kernel_, w_.patch[1 - s], other, probe);
-    if (!found.is_nothing()) out_.hits[s].push_back({piercer, other, found});
+    locate(kernel_, w_.patch[1 - s], other, probe, out_.found);
+    for (const Entity found : out_.found) out_.hits[s].push_back({piercer, other, found});
   }
 
   // Two edges between coplanar faces in one plane: no face is crossed there, so the edges are
@@ -183,8 +184,9 @@ void number_contacts(Workspace& w, ContactTable& table) {
                                }),
                    w.contacts.end());
   for (int s = 0; s < 2; ++s) {
-    std::sort(table.hits[s].begin(), table.hits[s].end(),
-              [](const Hit& p, const Hit& q) { return p.key() < q.key(); });
+    std::sort(table.hits[s].begin(), table.hits[s].end(), [](const Hit& p, const Hit& q) {
+      return p.key() != q.key() ? p.key() < q.key() : p.found.code() < q.found.code();
+    });
     for (Hit& hit : table.hits[s]) {
       const std::uint64_t key = by_entities(contact_of(s, hit));
       const auto at = std::lower_bound(
@@ -197,12 +199,14 @@ void number_contacts(Workspace& w, ContactTable& table) {
 
 }  // namespace
 
-const Hit* ContactTable::find(int solid, Entity piercer, FaceId face) const {
+std::span<const Hit> ContactTable::find(int solid, Entity piercer, FaceId face) const {
   const std::uint64_t key = std::uint64_t(piercer.code()) << 32 | face.value();
   const auto& table = hits[solid];
   const auto at = std::lower_bound(table.begin(), table.end(), key,
                                    [](const Hit& h, std::uint64_t k) { return h.key() < k; });
-  return at != table.end() && at->key() == key ? &*at : nullptr;
+  auto end = at;
+  while (end != table.end() && end->key() == key) ++end;
+  return {at, end};
 }
 
 bool sided_half_edges(const Workspace& w, int solid, FaceId face, FaceId other,

@@ -78,6 +78,7 @@ class CrossingFaces {
   void operator()(const PairOfFaces& pair) {
     pair_ = pair;
     points_.clear();
+    edges_on_line_.clear();
     gather(0);
     gather(1);
     if (points_.size() < 2) return;
@@ -89,6 +90,7 @@ class CrossingFaces {
     std::sort(points_.begin(), points_.end(), [&](const Point& p, const Point& q) {
       return kernel_.compare(w_.point(p.place), w_.point(q.place), axis) == along;
     });
+    for (const EdgeOnLine& e : edges_on_line_) add_within(e, axis, along);
     // n(a) × n(b), as seen in the plane of each.
     direction_[0] = {b, Sign::positive};
     direction_[1] = {a, Sign::negative};
@@ -100,12 +102,17 @@ class CrossingFaces {
     std::uint32_t place;
     std::vector<BoundaryItem> items[2];
   };
+  struct EdgeOnLine {
+    int solid;
+    HalfEdgeId h;
+  };
 
   void gather(int s) {
     sided_.clear();
     sided_half_edges(w_, s, pair_.face[s], pair_.face[1 - s], sided_);
     const Brep& brep = w_.patch[s].brep;
     for (const SidedHalfEdge& i : sided_) {
+      if (i.from == Sign::zero && i.to == Sign::zero) edges_on_line_.push_back({s, i.h});
       if (i.from == Sign::zero)
         add(s, table_.find(s, brep.from(i.h), pair_.face[1 - s]), i.h);
       else if (i.from * i.to == Sign::negative)
@@ -113,12 +120,31 @@ class CrossingFaces {
     }
   }
 
-  void add(int s, const Hit* hit, HalfEdgeId h) {
-    if (!hit) return;
+  // A face that touches itself may have places within an edge; the edge bounds it there too.
+  void add_within(const EdgeOnLine& e, int axis, Sign along) {
+    const Brep& brep = w_.patch[e.solid].brep;
+    PointId from = brep.point_of(brep.from(e.h)), to = brep.point_of(brep.to(e.h));
+    if (kernel_.compare(from, to, axis) != along) std::swap(from, to);
+    const auto precedes = [&](PointId p, PointId q) {
+      return kernel_.compare(p, q, axis) == along;
+    };
+    auto p = std::partition_point(points_.begin(), points_.end(), [&](const Point& i) {
+      return !precedes(from, w_.point(i.place));
+    });
+    for (; p != points_.end() && precedes(w_.point(p->place), to); ++p) {
+      auto& items = p->items[e.solid];
+      items.push_back({Brep::edge_of(e.h), e.h});
+      std::sort(items.begin(), items.end());
+    }
+  }
+
+  void add(int s, std::span<const Hit> hits, HalfEdgeId h) {
+    if (hits.empty()) return;
     Point point;
-    point.place = w_.contacts[hit->contact].place;
-    point.items[s].push_back({hit->piercer, h});
-    add_items(w_.patch[1 - s], pair_.face[1 - s], hit->found, point.items[1 - s]);
+    point.place = w_.contacts[hits[0].contact].place;
+    point.items[s].push_back({hits[0].piercer, h});
+    for (const Hit& hit : hits)
+      add_items(w_.patch[1 - s], pair_.face[1 - s], hit.found, point.items[1 - s]);
     points_.push_back(std::move(point));
   }
 
@@ -167,6 +193,7 @@ class CrossingFaces {
   PairOfFaces pair_{};
   std::vector<SidedHalfEdge> sided_;
   std::vector<Point> points_;
+  std::vector<EdgeOnLine> edges_on_line_;
   Direction direction_[2];
 };
 
@@ -198,6 +225,7 @@ class EdgeInPlane {
       record.end[s_][0] = places_[i].mine;
       record.end[s_][1] = places_[i + 1].mine;
       record.end[1 - s_][0] = at.entity;
+      if (at.where == Where::along) pass_through(places_[i + 1], at.half_edge);
       record.end[1 - s_][1] = end_entity(places_[i + 1], at, pair.face, along);
       emit(out_, record);
     }
@@ -238,10 +266,10 @@ class EdgeInPlane {
   }
 
   void add_end(const InPlane& pair, VertexId v) {
-    const Hit* hit = table_.find(s_, v, pair.face);
-    if (!hit) return;
-    places_.push_back({w_.contacts[hit->contact].place, v, false, {}});
-    add(places_.back(), pair.face, hit->found);
+    const std::span<const Hit> hits = table_.find(s_, v, pair.face);
+    if (hits.empty()) return;
+    places_.push_back({w_.contacts[hits[0].contact].place, v, false, {}});
+    for (const Hit& hit : hits) add(places_.back(), pair.face, hit.found);
   }
 
   void add(Node& node, FaceId face, Entity entity) {
@@ -249,6 +277,18 @@ class EdgeInPlane {
     add_items(w_.patch[1 - s_], face, entity, node.items);
     std::sort(node.items.begin(), node.items.end());
     node.items.erase(std::unique(node.items.begin(), node.items.end()), node.items.end());
+  }
+
+  // An edge of the face that does not end in a node bounds the face there too, even if the face
+  // touches itself with something else.
+  void pass_through(Node& node, HalfEdgeId h) const {
+    if (node.items.empty()) return;
+    const Brep& brep = w_.patch[1 - s_].brep;
+    const Entity edge = Brep::edge_of(h), from = brep.from(h), to = brep.to(h);
+    for (const BoundaryItem& item : node.items)
+      if (item.entity == edge || item.entity == from || item.entity == to) return;
+    node.items.push_back({edge, h});
+    std::sort(node.items.begin(), node.items.end());
   }
 
   Entity end_entity(const Node& node, const Standing& at, FaceId face, Direction along) const {
