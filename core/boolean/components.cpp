@@ -1,7 +1,9 @@
 #include "boolean/components.h"
 
+#include "boolean/line.h"
 #include "boolean/ray.h"
 #include "boolean/tables.h"
+#include "geometry/probe.h"
 #include "search/id_map.h"
 #include "sectile/errors.h"
 
@@ -152,6 +154,7 @@ class Spreading {
   PointId free_point(FaceId start, const std::vector<std::uint8_t>& in_contact) {
     std::vector<std::uint8_t> seen(brep_.face_count(), 0);
     std::vector<FaceId> front{start};
+    std::vector<EdgeId> edges;
     seen[start.value()] = 1;
     PointId found;
     while (!front.empty() && !found.valid()) {
@@ -159,6 +162,7 @@ class Spreading {
       front.pop_back();
       for_each_in_face(brep_, face, [&](HalfEdgeId h) {
         const VertexId v = brep_.from(h);
+        edges.push_back(Brep::edge_of(h));
         if (v.value() < in_contact.size() && !in_contact[v.value()]) found = brep_.point_of(v);
         const FaceId beyond = brep_.face_of(Brep::twin(h));
         if (brep_.kind_of(beyond) == FaceKind::rest) {
@@ -174,8 +178,44 @@ class Spreading {
       });
     }
     w_.kernel->refresh();
-    if (!found.valid()) throw InternalError("all vertices of a shell lie on the other boundary");
+    if (!found.valid()) found = point_within(edges);
+    if (!found.valid()) throw InternalError("a shell lies on the other boundary without a contact");
     return found;
+  }
+
+  // A shell may touch the other boundary in all of its vertices. Its edges then lead away from it,
+  // and a plane across one of them gives a point that is free.
+  PointId point_within(std::vector<EdgeId>& edges) {
+    std::vector<std::uint8_t> touched(brep_.edge_count(), 0);
+    for (const Contact& c : w_.contacts)
+      if (c.on[s_].is_edge()) touched[c.on[s_].edge().value()] = 1;
+    std::erase_if(edges, [&](EdgeId e) { return touched[e.value()] != 0; });
+    for (const EdgeId e : edges) {
+      const HalfEdgeId h = Brep::half_edge(e);
+      const PointId from = brep_.point_of(brep_.from(h)), to = brep_.point_of(brep_.to(h));
+      for (int axis = 0; axis < 3; ++axis) {
+        const PlaneId across = plane_between(from, to, axis);
+        if (w_.tests().side(from, across) * w_.tests().side(to, across) != Sign::negative) continue;
+        const Construction how = edge_plane_construction(w_, s_, h, across);
+        const ExactPoint exact = w_.tests().exact(how);
+        const Vec3 position = rounded(exact);
+        const PointId made = add_constructed(w_.geometry, how, position, equals(exact, position));
+        w_.kernel->refresh();
+        return made;
+      }
+    }
+    return {};
+  }
+
+  PlaneId plane_between(PointId from, PointId to, int axis) {
+    const Vec3 &p = w_.geometry.position(from), &q = w_.geometry.position(to);
+    const double middle[3] = {p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2};
+    double normal[3] = {0, 0, 0};
+    normal[axis] = 1;
+    const PlaneId made =
+        w_.geometry.add_plane(PlaneCoefficients{normal[0], normal[1], normal[2], -middle[axis]});
+    w_.kernel->refresh();
+    return made;
   }
 
   struct Pending {

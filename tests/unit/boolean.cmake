@@ -1,2 +1,3 @@
 sectile_test(hubs_test SOURCES hubs_test.cpp)
 sectile_test(face_parts_test SOURCES face_parts_test.cpp)
+sectile_test(contacts_in_points_test SOURCES contacts_in_points_test.cpp)
