@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <string>
 
 #include "geometry/triangulation.h"
+#include "import/crossing.h"
 #include "import/face_predicates.h"
 #include "import/polygons.h"
 #include "sectile/errors.h"
@@ -14,7 +15,7 @@ namespace sectile {
 namespace {
 
 // The corner of a loop that comes first in lexicographic order is convex; with its neighbours it
-// spans the plane, unless the loop turns back on itself there.
+// spans the plane.
 std::array<PointId, 3> convex_corner(const Kernel& kernel, std::span<const PointId> loop) {
   std::size_t least = 0;
   for (std::size_t i = 1; i < loop.size(); ++i) {
@@ -30,46 +31,25 @@ std::array<PointId, 3> convex_corner(const Kernel& kernel, std::span<const Point
 }
 
 bool visits_twice(std::span<const PointId> loop) {
+  if (loop.size() <= 8) {
+    for (std::size_t i = 2; i < loop.size(); ++i)
+      if (std::find(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(i) - 1, loop[i]) !=
+          loop.begin() + static_cast<std::ptrdiff_t>(i) - 1)
+        return true;
+    return false;
+  }
   std::vector<PointId> sorted(loop.begin(), loop.end());
   std::sort(sorted.begin(), sorted.end());
   return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
 
-// The axis along which the polygon shows its largest area, and whether it is seen from behind.
-std::pair<int, bool> view(const Geometry& g, std::span<const PointId> loop) {
-  double n[3] = {0, 0, 0};
-  const Vec3 o = g.position(loop[0]);
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-    const Vec3 &p = g.position(loop[i]), &q = g.position(loop[i + 1]);
-    const double u[3] = {p.x - o.x, p.y - o.y, p.z - o.z}, v[3] = {q.x - o.x, q.y - o.y, q.z - o.z};
-    for (int k = 0; k < 3; ++k)
-      n[k] += u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
-  }
-  int axis = 0;
-  for (int k = 1; k < 3; ++k)
-    if (std::abs(n[k]) > std::abs(n[axis])) axis = k;
-  return {axis, n[axis] < 0};
-}
-
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-
-// Any triangulation keeps the surface closed; one of the projection also keeps it from folding.
-Triangles split(const Geometry& g, const Kernel& kernel, std::span<const PointId> loop) {
-  Triangles triangles;
-  const auto [axis, behind] = view(g, loop);
-  const FacePredicates exact(kernel, axis, behind, loop);
-  const std::uint32_t end[] = {static_cast<std::uint32_t>(loop.size())};
-  try {
-    triangulate(exact, std::span<const std::uint32_t>(end), triangles);
-    return triangles;
-  } catch (const InternalError&) {  // the projection crosses itself
-    triangles.clear();
-  }
-  for (std::uint32_t i = 1; i + 1 < loop.size(); ++i) triangles.push_back({0, i, i + 1});
-  return triangles;
-}
-
-enum class Shape : std::uint8_t { plane, split };
+enum class Shape : std::uint8_t {
+  whole,          ///< is a plane face
+  touching,       ///< in a plane, but the outer loop visits a place twice
+  bent,           ///< in no plane
+  crossing,       ///< in a plane, but edges cross
+  wrong_way_hole  ///< in a plane, but a hole has the orientation of the outer loop
+};
 
 class PlaneFinder {
  public:
@@ -77,17 +57,19 @@ class PlaneFinder {
       : polygons_(polygons),
         geometry_(geometry),
         kernel_(kernel),
-        shapes_(polygons.face_count(), Shape::plane) {}
+        shapes_(polygons.face_count(), Shape::whole) {}
 
   void run() {
     add_planes();
     kernel_.refresh();
-    const auto body = [&](const tbb::blocked_range<std::size_t>& range) {
-      for (std::size_t f = range.begin(); f < range.end(); ++f)
-        if (!is_planar(f)) shapes_[f] = Shape::split;
-    };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, shapes_.size(), 1024), body);
-    if (std::find(shapes_.begin(), shapes_.end(), Shape::split) == shapes_.end()) return;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, shapes_.size(), 1024),
+                      [&](const auto& range) {
+                        for (std::size_t f = range.begin(); f < range.end(); ++f)
+                          if (!polygons_.is_triangle(f)) shapes_[f] = shape(f);
+                      });
+    const auto is_whole = [](Shape shape) { return shape == Shape::whole; };
+    if (std::all_of(shapes_.begin(), shapes_.end(), is_whole)) return;
+    refuse_wrong_ones();
     split_faces();
     geometry_.planes.clear();
     add_planes();
@@ -108,42 +90,67 @@ class PlaneFinder {
     });
   }
 
-  bool is_planar(std::size_t f) const {
+  Shape shape(std::size_t f) const {
     const PlaneId plane(f);
-    for (std::uint32_t l = polygons_.first_loop(f); l < polygons_.face_end[f]; ++l) {
-      const auto loop = polygons_.loop(l);
-      if (loop.size() == 3 && l == polygons_.first_loop(f)) continue;
-      if (visits_twice(loop)) return false;
-      for (const PointId p : loop)
-        if (kernel_.side(p, plane) != Sign::zero) return false;
+    for (const PointId p : polygons_.face_corners(f))
+      if (kernel_.side(p, plane) != Sign::zero) return Shape::bent;
+    const int axis = kernel_.main_axis(plane);
+    if (polygons_.face_end[f] == polygons_.first_loop(f) + 1) {
+      const auto loop = polygons_.face_corners(f);
+      if (visits_twice(loop)) return Shape::touching;
+      const std::uint32_t end[] = {static_cast<std::uint32_t>(loop.size())};
+      return edges_cross(kernel_, axis, loop, end) ? Shape::crossing : Shape::whole;
     }
-    const PlaneDefinition& how = geometry_.definition(plane);
-    return polygons_.loop(polygons_.first_loop(f)).size() == 3 ||
-           !collinear(kernel_, PointId(how.a), PointId(how.b), PointId(how.c));
+    return shape_with_holes(f, axis);
+  }
+
+  Shape shape_with_holes(std::size_t f, int axis) const {
+    const auto corners = polygons_.face_corners(f);
+    std::vector<std::uint32_t> ends;
+    const std::uint32_t begin = polygons_.loop_begin(polygons_.first_loop(f));
+    for (std::uint32_t l = polygons_.first_loop(f); l < polygons_.face_end[f]; ++l)
+      ends.push_back(polygons_.loop_end[l] - begin);
+    if (edges_cross(kernel_, axis, corners, ends)) return Shape::crossing;
+    const FacePredicates exact(kernel_, axis, kernel_.normal(PlaneId(f), axis) == Sign::negative,
+                               corners);
+    for (std::size_t l = 1; l < ends.size(); ++l)
+      if (orientation(exact, ends[l - 1], ends[l]) == Sign::positive) return Shape::wrong_way_hole;
+    return Shape::whole;
+  }
+
+  void refuse_wrong_ones() const {
+    for (std::size_t f = 0; f < shapes_.size(); ++f) {
+      const std::string face = std::to_string(polygons_.source[f]);
+      if (shapes_[f] == Shape::crossing)
+        throw InvalidSolid(
+            InvalidSolid::Reason::self_intersecting,
+            "the edges of face " + face + " cross each other; split it into simple polygons",
+            polygons_.source[f]);
+      if (shapes_[f] == Shape::wrong_way_hole)
+        throw InvalidSolid(
+            InvalidSolid::Reason::inconsistent,
+            "a hole of face " + face + " runs the same way as its outer loop; turn it around",
+            polygons_.source[f]);
+    }
   }
 
   void split_faces() {
+    std::vector<std::size_t> split;
+    for (std::size_t f = 0; f < shapes_.size(); ++f)
+      if (shapes_[f] != Shape::whole) split.push_back(f);
+    std::vector<Polygons> pieces(split.size());
+    tbb::parallel_for(std::size_t(0), split.size(), [&](std::size_t i) {
+      split_face(kernel_, polygons_, split[i], shapes_[split[i]] == Shape::touching, pieces[i]);
+    });
     Polygons result;
+    auto next = pieces.begin();
     for (std::size_t f = 0; f < polygons_.face_count(); ++f) {
-      const std::uint32_t first = polygons_.first_loop(f), end = polygons_.face_end[f];
-      if (shapes_[f] == Shape::plane) {
-        for (std::uint32_t l = first; l < end; ++l) result.add_loop(polygons_.loop(l));
-        result.end_face(polygons_.source[f]);
+      if (shapes_[f] == Shape::whole) {
+        result.add_face(polygons_, f);
         continue;
       }
-      if (end - first > 1)
-        throw InvalidSolid(InvalidSolid::Reason::malformed,
-                           "face " + std::to_string(polygons_.source[f]) +
-                               " has holes but is not planar; split it into planar faces",
-                           polygons_.source[f]);
-      const auto loop = polygons_.loop(first);
-      for (const auto& t : split(geometry_, kernel_, loop)) {
-        const PointId corners[] = {loop[t[0]], loop[t[1]], loop[t[2]]};
-        if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
-          continue;
-        result.add_loop(corners);
-        result.end_face(polygons_.source[f]);
-      }
+      for (std::size_t k = 0; k < next->face_count(); ++k) result.add_face(*next, k);
+      ++next;
     }
     polygons_ = std::move(result);
     remove_flat_faces(polygons_, kernel_);

@@ -2,9 +2,11 @@
 #include <tbb/parallel_for.h>
 
 #include <atomic>
-#include <cmath>
+#include <string>
 
+#include "import/diagnosis.h"
 #include "import/polygons.h"
+#include "import/shells.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -114,77 +116,14 @@ void pin_flat_edges(Brep& brep, Geometry& geometry, const Kernel& kernel) {
                          "faces " + std::to_string(f) + " and " + std::to_string(g) +
                              " are folded onto each other along the edge from " +
                              in_words(geometry.position(from)) + " to " +
-                             in_words(geometry.position(to)),
+                             in_words(geometry.position(to)) +
+                             "; remove them where they lie on each other",
                          f);
     }
     if (brep.edge_plane.empty()) brep.edge_plane.resize(brep.edge_count());
     brep.edge_plane[e] =
         geometry.add_plane(PlaneDefinition::along_axis(from, to, kernel.main_axis(plane)));
   }
-}
-
-// Six times the volume: in doubles with an error bound, exactly only if that leaves the sign open.
-class SignedVolume {
- public:
-  SignedVolume(const Brep& brep, const Geometry& geometry) : brep_(brep), geometry_(geometry) {}
-
-  Sign sign() const {
-    double sum = 0, size = 0, reach = 0;
-    const Vec3 o = geometry_.position(brep_.point[0]);
-    for (const Vec3& p : geometry_.positions)
-      reach = std::max({reach, std::abs(p.x - o.x), std::abs(p.y - o.y), std::abs(p.z - o.z)});
-    std::size_t terms = 0;
-    visit([&](const Vec3& a, const Vec3& b, const Vec3& c) {
-      const double x = a.x - o.x, y = a.y - o.y, z = a.z - o.z;
-      const double u[3] = {b.x - o.x, b.y - o.y, b.z - o.z},
-                   v[3] = {c.x - o.x, c.y - o.y, c.z - o.z};
-      const double term = x * (u[1] * v[2] - u[2] * v[1]) + y * (u[2] * v[0] - u[0] * v[2]) +
-                          z * (u[0] * v[1] - u[1] * v[0]);
-      sum += term;
-      size += std::abs(term);
-      ++terms;
-    });
-    const double count = static_cast<double>(terms);
-    const double error = 0x1p-50 * count * (size + reach * reach * reach) + 0x1p-1000;
-    if (std::abs(sum) > error) return sign_of(sum);
-    Dyadic exact;
-    visit([&](const Vec3& a, const Vec3& b, const Vec3& c) {
-      const Dyadic bx(b.x), by(b.y), bz(b.z), cx(c.x), cy(c.y), cz(c.z);
-      exact = exact + Dyadic(a.x) * (by * cz - bz * cy) + Dyadic(a.y) * (bz * cx - bx * cz) +
-              Dyadic(a.z) * (bx * cy - by * cx);
-    });
-    return exact.sign();
-  }
-
- private:
-  // All loops as fans; the fans of inner loops take away.
-  template <class Visit>
-  void visit(const Visit& visit_triangle) const {
-    for (const HalfEdgeId first : brep_.loop_half_edge) {
-      const Vec3& a = position(first);
-      for (HalfEdgeId h = brep_.next_of(first); brep_.next_of(h) != first; h = brep_.next_of(h))
-        visit_triangle(a, position(h), position(brep_.next_of(h)));
-    }
-  }
-  const Vec3& position(HalfEdgeId h) const {
-    return geometry_.position(brep_.point_of(brep_.from(h)));
-  }
-
-  const Brep& brep_;
-  const Geometry& geometry_;
-};
-
-void check_orientation(const Brep& brep, const Geometry& geometry) {
-  switch (SignedVolume(brep, geometry).sign()) {
-    case Sign::positive:
-      return;
-    case Sign::negative:
-      throw InvalidSolid(InvalidSolid::Reason::inside_out,
-                         "the surface is inside out; turn all faces around", 0);
-    case Sign::zero:
-      break;
-  }
-  throw InvalidSolid(InvalidSolid::Reason::inconsistent, "the surface encloses no material", 0);
 }
 
 }  // namespace
@@ -194,15 +133,17 @@ std::uint32_t new_origin() {
   return ++last;
 }
 
-std::shared_ptr<const SolidData> import_soup(const Soup& soup) {
+namespace {
+
+std::shared_ptr<const SolidData> import_view(const SoupView& soup) {
   auto data = std::make_shared<SolidData>();
-  Polygons polygons = read_polygons(soup, data->geometry);
+  std::vector<std::uint32_t> input_vertex;
+  Polygons polygons = read_polygons(soup, data->geometry, input_vertex);
   Kernel kernel(data->geometry);
   remove_flat_faces(polygons, kernel);
-  if (polygons.face_count() == 0) return data;
   find_face_planes(polygons, data->geometry, kernel);
-  if (polygons.face_count() == 0) return data;
-  const std::vector<std::uint32_t> mate = match_edges(polygons, kernel);
+  if (polygons.face_count() == 0) return std::make_shared<SolidData>();
+  const std::vector<std::uint32_t> mate = match_edges(polygons, kernel, input_vertex);
   data->origin = new_origin();
   BrepBuilder(polygons, mate, data->brep).run(data->origin);
   pin_flat_edges(data->brep, data->geometry, kernel);
@@ -210,13 +151,16 @@ std::shared_ptr<const SolidData> import_soup(const Soup& soup) {
   return data;
 }
 
+}  // namespace
+
+std::shared_ptr<const SolidData> import_soup(const Soup& soup) {
+  if (soup.face_loops.empty() && !soup.loop_sizes.empty())
+    throw InvalidSolid(InvalidSolid::Reason::malformed, "there are loops that belong to no face");
+  return import_view({soup.positions, soup.face_loops, soup.loop_sizes, soup.indices});
+}
+
 std::shared_ptr<const SolidData> import_mesh(const PolygonMesh& mesh) {
-  Soup soup;
-  soup.positions = mesh.positions;
-  soup.face_loops.assign(mesh.face_sizes.size(), 1);
-  soup.loop_sizes = mesh.face_sizes;
-  soup.indices = mesh.indices;
-  return import_soup(soup);
+  return import_view({mesh.positions, {}, mesh.face_sizes, mesh.indices});
 }
 
 }  // namespace sectile

@@ -1,5 +1,12 @@
-#include <algorithm>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "import/diagnosis.h"
 #include "import/polygons.h"
 #include "sectile/errors.h"
 
@@ -52,37 +59,61 @@ class Buckets {
 
 class Matcher {
  public:
-  Matcher(const Polygons& polygons, const Kernel& kernel)
+  Matcher(const Polygons& polygons, const Kernel& kernel,
+          const std::vector<std::uint32_t>& input_vertex)
       : polygons_(polygons),
         kernel_(kernel),
-        mate_(polygons.corners.size()),
-        face_(polygons.corners.size()) {
-    for (std::uint32_t f = 0; f < polygons.face_count(); ++f)
-      for (std::uint32_t l = polygons.first_loop(f); l < polygons.face_end[f]; ++l)
-        for (std::uint32_t i = polygons.loop_begin(l); i < polygons.loop_end[l]; ++i) face_[i] = f;
-  }
+        input_vertex_(input_vertex),
+        mate_(polygons.corners.size()) {}
 
   std::vector<std::uint32_t> run() {
     Buckets buckets(polygons_);
-    for (std::uint32_t p = 0; p < buckets.count(); ++p) {
-      const auto bucket = buckets[p];
-      std::sort(bucket.begin(), bucket.end(), [](const LineEntry& a, const LineEntry& b) {
-        return a.high != b.high ? a.high < b.high : a.corner < b.corner;
-      });
-      for (std::size_t from = 0, to; from < bucket.size(); from = to) {
-        for (to = from + 1; to < bucket.size() && bucket[to].high == bucket[from].high;) ++to;
-        match(PointId(p), bucket.subspan(from, to - from));
-      }
-    }
+    tbb::enumerable_thread_specific<std::vector<Line>> odd;
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, buckets.count(), 1024),
+                      [&](const auto& range) {
+                        for (std::uint32_t p = range.begin(); p < range.end(); ++p)
+                          match_bucket(PointId(p), buckets[p], odd.local());
+                      });
+    std::vector<Line> lines;
+    for (const auto& some : odd) lines.insert(lines.end(), some.begin(), some.end());
+    std::sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) {
+      return std::pair(a.low, a.entries[0].high) < std::pair(b.low, b.entries[0].high);
+    });
+    if (!lines.empty()) find_faces();
+    for (const Line& line : lines) match(line.low, line.entries);
     return std::move(mate_);
   }
 
  private:
-  void match(PointId low, std::span<LineEntry> entries) {
-    if (entries.size() == 2 && entries[0].forward != entries[1].forward) {
-      pair(entries[0], entries[1]);
-      return;
+  // More or fewer than two half-edges, or two that run the same way.
+  struct Line {
+    PointId low;
+    std::span<LineEntry> entries;
+  };
+
+  void match_bucket(PointId low, std::span<LineEntry> bucket, std::vector<Line>& odd) {
+    std::sort(bucket.begin(), bucket.end(), [](const LineEntry& a, const LineEntry& b) {
+      return a.high != b.high ? a.high < b.high : a.corner < b.corner;
+    });
+    for (std::size_t from = 0, to; from < bucket.size(); from = to) {
+      for (to = from + 1; to < bucket.size() && bucket[to].high == bucket[from].high;) ++to;
+      const auto entries = bucket.subspan(from, to - from);
+      if (entries.size() == 2 && entries[0].forward != entries[1].forward)
+        pair(entries[0], entries[1]);
+      else
+        odd.push_back({low, entries});
     }
+  }
+
+  void find_faces() {
+    face_.resize(polygons_.corners.size());
+    for (std::uint32_t f = 0; f < polygons_.face_count(); ++f)
+      for (std::uint32_t l = polygons_.first_loop(f); l < polygons_.face_end[f]; ++l)
+        for (std::uint32_t i = polygons_.loop_begin(l); i < polygons_.loop_end[l]; ++i)
+          face_[i] = f;
+  }
+
+  void match(PointId low, std::span<LineEntry> entries) {
     const auto forward = static_cast<std::size_t>(std::count_if(
         entries.begin(), entries.end(), [](const LineEntry& e) { return e.forward; }));
     if (2 * forward != entries.size()) refuse(low, entries, forward);
@@ -136,53 +167,71 @@ class Matcher {
     return turn(a, b) == Sign::zero && same_way(a, b);
   }
 
-  std::string edge_in_words(PointId low, const LineEntry& e) const {
-    return "the edge from " + in_words(kernel_.geometry().position(low)) + " to " +
-           in_words(kernel_.geometry().position(e.high));
-  }
   std::uint32_t source(const LineEntry& e) const { return polygons_.source[face_[e.corner]]; }
+  std::uint32_t vertex(PointId p) const { return input_vertex_[p.value()]; }
+  std::string face_in_words(const LineEntry& e) const { return std::to_string(source(e)); }
+  std::string vertex_in_words(PointId p) const {
+    return std::to_string(vertex(p)) + " " + in_words(kernel_.geometry().position(p));
+  }
+  std::string edge_in_words(PointId low, const LineEntry& e) const {
+    const auto [from, to] = e.forward ? std::pair(low, e.high) : std::pair(e.high, low);
+    return "the edge from vertex " + vertex_in_words(from) + " to vertex " + vertex_in_words(to);
+  }
 
   [[noreturn]] void refuse(PointId low, std::span<const LineEntry> entries,
                            std::size_t forward) const {
-    const std::uint32_t face = source(entries[0]);
+    const LineEntry& first = entries[0];
     if (entries.size() == 1)
       throw InvalidSolid(InvalidSolid::Reason::open,
-                         "the surface is open: " + edge_in_words(low, entries[0]) + " of face " +
-                             std::to_string(face) +
-                             " has no face on its other side; close the hole there",
-                         face);
+                         "the surface is open: " + edge_in_words(low, first) + " of face " +
+                             face_in_words(first) +
+                             " has no face on its other side; close the hole there, or, if another "
+                             "face has a corner on this edge, give this face the same corner",
+                         source(first), vertex(low));
     if (forward == 0 || forward == entries.size())
       throw InvalidSolid(InvalidSolid::Reason::inconsistent,
-                         "faces " + std::to_string(face) + " and " +
-                             std::to_string(source(entries[1])) + " run the same way along " +
-                             edge_in_words(low, entries[0]) + "; flip one of them",
-                         face);
-    throw InvalidSolid(InvalidSolid::Reason::open,
-                       "the surface is open or not consistently oriented: along " +
-                           edge_in_words(low, entries[0]) + " " + std::to_string(forward) +
-                           " faces run one way and " + std::to_string(entries.size() - forward) +
-                           " the other, among them face " + std::to_string(face),
-                       face);
+                         "faces " + face_in_words(first) + " and " + face_in_words(entries[1]) +
+                             " run the same way along " + edge_in_words(low, first) +
+                             "; turn one of them around",
+                         source(first), vertex(low));
+    throw InvalidSolid(
+        entries.size() % 2 == 1 ? InvalidSolid::Reason::open : InvalidSolid::Reason::inconsistent,
+        "the faces do not fit together: along " + edge_in_words(low, first) + ", " +
+            std::to_string(forward) + " run one way and " +
+            std::to_string(entries.size() - forward) + " the other, among them face " +
+            face_in_words(first) + "; add what is missing there or turn faces around",
+        source(first), vertex(low));
   }
 
   [[noreturn]] void refuse_overlap(PointId low, const LineEntry& a, const LineEntry& b) const {
+    if (tied(a, b) && a.forward != b.forward)
+      throw InvalidSolid(InvalidSolid::Reason::self_intersecting,
+                         "faces " + face_in_words(a) + " and " + face_in_words(b) +
+                             " lie on each other back to back along " + edge_in_words(low, a) +
+                             "; remove them where they do, or unite the parts as two solids",
+                         source(a), vertex(low));
     throw InvalidSolid(InvalidSolid::Reason::self_intersecting,
-                       "faces " + std::to_string(source(a)) + " and " + std::to_string(source(b)) +
-                           " overlap, or cross others, along " + edge_in_words(low, a),
-                       source(a));
+                       "faces " + face_in_words(a) + " and " + face_in_words(b) +
+                           " overlap, or material lies on both sides of them, along " +
+                           edge_in_words(low, a) +
+                           "; make two solids of what overlaps and unite them",
+                       source(a), vertex(low));
   }
 
   const Polygons& polygons_;
   const Kernel& kernel_;
-  std::vector<std::uint32_t> mate_, face_;
+  const std::vector<std::uint32_t>& input_vertex_;
+  std::vector<std::uint32_t> mate_;
+  std::vector<std::uint32_t> face_;  // per corner, if it is needed
   int axis_ = -1;
   Sign line_ = Sign::zero;
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> match_edges(const Polygons& polygons, const Kernel& kernel) {
-  return Matcher(polygons, kernel).run();
+std::vector<std::uint32_t> match_edges(const Polygons& polygons, const Kernel& kernel,
+                                       const std::vector<std::uint32_t>& input_vertex) {
+  return Matcher(polygons, kernel, input_vertex).run();
 }
 
 }  // namespace sectile

@@ -1,12 +1,18 @@
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
+#include <string>
 
 #include "import/polygons.h"
 #include "sectile/errors.h"
 
 namespace sectile {
 namespace {
+
+using Reason = InvalidSolid::Reason;
 
 // Open addressing over positions; -0 and 0 are one coordinate.
 class PositionTable {
@@ -15,8 +21,6 @@ class PositionTable {
     std::size_t size = 16;
     while (size < 2 * expected) size *= 2;
     slots_.assign(size, PointId());
-    geometry.positions.reserve(expected);
-    geometry.construct.reserve(expected);
   }
 
   PointId add(Vec3 p) {
@@ -41,63 +45,149 @@ class PositionTable {
   std::vector<PointId> slots_;
 };
 
-void check_sizes(const Soup& soup) {
-  std::uint64_t loops = 0, corners = 0;
-  for (const std::uint32_t n : soup.face_loops) loops += n;
-  for (const std::uint32_t n : soup.loop_sizes) corners += n;
-  if (loops != soup.loop_sizes.size() || corners != soup.indices.size())
-    throw InvalidSolid(InvalidSolid::Reason::malformed,
-                       "the faces' sizes add up to " + std::to_string(corners) +
-                           " corners, but there are " + std::to_string(soup.indices.size()) +
-                           " indices");
+std::string text(std::size_t number) {
+  return std::to_string(number);
+}
+
+std::uint64_t total(std::span<const std::uint32_t> sizes) {
+  std::uint64_t sum = 0;
+  for (const std::uint32_t n : sizes) sum += n;
+  return sum;
+}
+
+void check_sizes(const SoupView& soup) {
+  if (!soup.face_loops.empty() && total(soup.face_loops) != soup.loop_sizes.size())
+    throw InvalidSolid(Reason::malformed, "the faces have " + text(total(soup.face_loops)) +
+                                              " loops in all, but the sizes of " +
+                                              text(soup.loop_sizes.size()) + " are given");
+  if (total(soup.loop_sizes) != soup.indices.size())
+    throw InvalidSolid(Reason::malformed,
+                       "the face sizes add up to " + text(total(soup.loop_sizes)) +
+                           " corners, but there are " + text(soup.indices.size()) + " indices");
+  constexpr std::size_t most = 0x7FFFFFFFu;
+  if (soup.indices.size() > most || soup.positions.size() > most)
+    throw InvalidSolid(Reason::malformed, "the mesh is too large: at most " + text(most) +
+                                              " corners and as many vertices are possible");
+}
+
+bool is_finite(const Vec3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+// The first number below `end` for which `wrong` holds, or end.
+template <class Wrong>
+std::size_t first_wrong(std::size_t end, const Wrong& wrong) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, end, 16384), end,
+      [&](const auto& range, std::size_t known) {
+        for (std::size_t i = range.begin(); i < range.end() && i < known; ++i)
+          if (wrong(i)) return i;
+        return known;
+      },
+      [](std::size_t a, std::size_t b) { return std::min(a, b); });
+}
+
+void check_positions(const SoupView& soup) {
+  const std::size_t i = first_wrong(soup.positions.size(),
+                                    [&](std::size_t k) { return !is_finite(soup.positions[k]); });
+  if (i < soup.positions.size())
+    throw InvalidSolid(
+        Reason::not_finite,
+        "vertex " + text(i) + " has a coordinate that is not a finite number; give it a place",
+        no_element, static_cast<std::uint32_t>(i));
+}
+
+std::uint32_t face_of_corner(const SoupView& soup, std::size_t corner) {
+  std::size_t loop = 0, end = 0;
+  for (std::size_t f = 0; f < soup.face_count(); ++f)
+    for (std::uint32_t l = 0; l < soup.loops_of(f); ++l)
+      if ((end += soup.loop_sizes[loop++]) > corner) return static_cast<std::uint32_t>(f);
+  return no_element;
+}
+
+void check_indices(const SoupView& soup) {
+  const std::size_t count = soup.positions.size();
+  const std::size_t i =
+      first_wrong(soup.indices.size(), [&](std::size_t k) { return soup.indices[k] >= count; });
+  if (i == soup.indices.size()) return;
+  const std::uint32_t face = face_of_corner(soup, i), vertex = soup.indices[i];
+  throw InvalidSolid(Reason::index_out_of_range,
+                     "face " + text(face) + " refers to vertex " + text(vertex) +
+                         ", but there are only " + text(count) + ", numbered from 0",
+                     face, vertex);
+}
+
+class LoopReader {
+ public:
+  explicit LoopReader(std::vector<PointId>& corners) : corners_(corners), begin_(corners.size()) {}
+
+  void add(PointId p) {
+    if (size() > 0 && corners_.back() == p) return;
+    if (size() > 1 && corners_.end()[-2] == p)
+      corners_.pop_back();
+    else
+      corners_.push_back(p);
+  }
+  /// True if something is left of the loop.
+  bool close() {
+    std::size_t first = begin_;
+    while (corners_.size() > first + 1) {
+      if (corners_[first] == corners_.back() || corners_[first] == corners_.end()[-2])
+        corners_.pop_back();
+      else if (corners_[first + 1] == corners_.back())
+        ++first;
+      else
+        break;
+    }
+    if (corners_.size() < first + 3) first = corners_.size();
+    const auto at = [&](std::size_t i) {
+      return corners_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    corners_.erase(at(begin_), at(first));
+    return size() > 0;
+  }
+
+ private:
+  std::size_t size() const { return corners_.size() - begin_; }
+
+  std::vector<PointId>& corners_;
+  std::size_t begin_;
+};
+
+std::vector<PointId> unite_positions(const SoupView& soup, Geometry& geometry,
+                                     std::vector<std::uint32_t>& input_vertex) {
+  const std::size_t count = soup.positions.size();
+  std::vector<PointId> points(count);
+  PositionTable table(geometry, count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    points[i] = table.add(soup.positions[i]);
+    if (points[i].value() == input_vertex.size()) input_vertex.push_back(i);
+  }
+  return points;
 }
 
 }  // namespace
 
-std::string in_words(const Vec3& p) {
-  std::string text = "(";
-  for (const double v : {p.x, p.y, p.z}) {
-    char buffer[32];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, v).ptr;
-    if (text.size() > 1) text += ", ";
-    text.append(buffer, end);
-  }
-  return text + ")";
-}
-
-Polygons read_polygons(const Soup& soup, Geometry& geometry) {
+Polygons read_polygons(const SoupView& soup, Geometry& geometry,
+                       std::vector<std::uint32_t>& input_vertex) {
   check_sizes(soup);
-  std::vector<PointId> points(soup.positions.size());
-  PositionTable table(geometry, soup.positions.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const Vec3& p = soup.positions[i];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      throw InvalidSolid(InvalidSolid::Reason::not_finite,
-                         "vertex " + std::to_string(i) + " has a coordinate that is not finite",
-                         no_element, i);
-    points[i] = table.add(p);
-  }
+  check_positions(soup);
+  check_indices(soup);
+  const std::vector<PointId> points = unite_positions(soup, geometry, input_vertex);
   Polygons polygons;
   polygons.corners.reserve(soup.indices.size());
-  std::vector<PointId> loop;
+  polygons.loop_end.reserve(soup.loop_sizes.size());
+  polygons.face_end.reserve(soup.face_count());
+  polygons.source.reserve(soup.face_count());
   std::size_t next_loop = 0, next_corner = 0;
-  for (std::uint32_t f = 0; f < soup.face_loops.size(); ++f) {
+  for (std::uint32_t f = 0; f < soup.face_count(); ++f) {
     const std::size_t loops_before = polygons.loop_end.size();
-    for (std::uint32_t l = 0; l < soup.face_loops[f]; ++l) {
-      loop.clear();
-      for (std::uint32_t n = soup.loop_sizes[next_loop++]; n > 0; --n) {
-        const std::uint32_t index = soup.indices[next_corner++];
-        if (index >= points.size())
-          throw InvalidSolid(InvalidSolid::Reason::index_out_of_range,
-                             "face " + std::to_string(f) + " refers to vertex " +
-                                 std::to_string(index) + ", but there are only " +
-                                 std::to_string(points.size()),
-                             f, index);
-        if (loop.empty() || loop.back() != points[index]) loop.push_back(points[index]);
-      }
-      while (loop.size() > 1 && loop.back() == loop.front()) loop.pop_back();
-      // There and back again bounds nothing.
-      if (loop.size() > 2) polygons.add_loop(loop);
+    for (std::uint32_t l = soup.loops_of(f); l > 0; --l) {
+      LoopReader loop(polygons.corners);
+      for (std::uint32_t n = soup.loop_sizes[next_loop++]; n > 0; --n)
+        loop.add(points[soup.indices[next_corner++]]);
+      if (loop.close())
+        polygons.loop_end.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
     }
     if (polygons.loop_end.size() > loops_before) polygons.end_face(f);
   }

@@ -4,6 +4,7 @@
 
 #include "geometry/triangulation.h"
 #include "import/face_predicates.h"
+#include "import/shells.h"
 #include "import/soup.h"
 #include "search/solid_data.h"
 
@@ -106,24 +107,7 @@ SolidCounts Solid::counts() const {
   counts.edges = brep.edge_count();
   counts.faces = brep.face_count();
   counts.loops = brep.loop_count();
-  std::vector<std::uint8_t> seen(brep.face_count(), 0);
-  std::vector<FaceId> front;
-  for (std::size_t f = 0; f < brep.face_count(); ++f) {
-    if (seen[f]) continue;
-    ++counts.shells;
-    seen[f] = 1;
-    front.push_back(FaceId(f));
-    while (!front.empty()) {
-      const FaceId face = front.back();
-      front.pop_back();
-      for_each_in_face(brep, face, [&](HalfEdgeId h) {
-        const FaceId beyond = brep.face_of(Brep::twin(h));
-        if (seen[beyond.value()]) return;
-        seen[beyond.value()] = 1;
-        front.push_back(beyond);
-      });
-    }
-  }
+  counts.shells = find_shells(brep).count;
   // Euler and Poincaré: V - E + F - (L - F) = 2 (S - G).
   const auto count = [](std::size_t n) { return static_cast<std::int64_t>(n); };
   const std::int64_t euler =

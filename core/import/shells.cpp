@@ -1,0 +1,166 @@
+#include "import/shells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "numbers/dyadic.h"
+#include "search/box.h"
+#include "sectile/errors.h"
+
+namespace sectile {
+
+Shells find_shells(const Brep& brep) {
+  Shells shells;
+  constexpr std::uint32_t none = 0xFFFFFFFFu;
+  shells.of_face.assign(brep.face_count(), none);
+  std::vector<FaceId> front;
+  const auto reach = [&](FaceId f) {
+    if (shells.of_face[f.value()] != none) return;
+    shells.of_face[f.value()] = shells.count;
+    front.push_back(f);
+  };
+  for (std::size_t f = 0; f < brep.face_count(); ++f) {
+    if (shells.of_face[f] != none) continue;
+    reach(FaceId(f));
+    while (!front.empty()) {
+      const FaceId face = front.back();
+      front.pop_back();
+      for_each_in_face(brep, face, [&](HalfEdgeId h) { reach(brep.face_of(Brep::twin(h))); });
+    }
+    ++shells.count;
+  }
+  return shells;
+}
+
+namespace {
+
+// What is known of a shell's volume.
+struct Enclosed {
+  Bounds bounds;
+  Vec3 centre;
+  double sum = 0, size = 0, terms = 0;  // six times the volume, in doubles
+  std::uint32_t face = 0;               // one of the shell's faces
+  Sign sign = Sign::zero;
+};
+
+class ShellVolumes {
+ public:
+  ShellVolumes(const Brep& brep, const Geometry& geometry)
+      : brep_(brep), geometry_(geometry), shells_(find_shells(brep)), volumes_(shells_.count) {}
+
+  std::vector<Enclosed> run() {
+    for (std::size_t f = brep_.face_count(); f-- > 0;) {
+      Enclosed& v = of_face(f);
+      v.face = static_cast<std::uint32_t>(f);
+      for_each_in_face(brep_, FaceId(f), [&](HalfEdgeId h) { v.bounds.add(position(h)); });
+    }
+    for (Enclosed& v : volumes_) v.centre = v.bounds.low;
+    for (std::size_t f = 0; f < brep_.face_count(); ++f) add_terms(FaceId(f), of_face(f));
+    find_signs();
+    return std::move(volumes_);
+  }
+
+ private:
+  Enclosed& of_face(std::size_t f) { return volumes_[shells_.of_face[f]]; }
+  const Vec3& position(HalfEdgeId h) const {
+    return geometry_.position(brep_.point_of(brep_.from(h)));
+  }
+
+  // All loops as fans; the fans of inner loops take away.
+  template <class Visit>
+  void for_each_fan(FaceId f, const Visit& visit) const {
+    for (LoopId l = brep_.outer_loop[f.value()]; l.valid(); l = brep_.next_loop[l.value()]) {
+      const HalfEdgeId first = brep_.loop_half_edge[l.value()];
+      for (HalfEdgeId h = brep_.next_of(first); brep_.next_of(h) != first; h = brep_.next_of(h))
+        visit(position(first), position(h), position(brep_.next_of(h)));
+    }
+  }
+
+  void add_terms(FaceId f, Enclosed& v) const {
+    const Vec3 o = v.centre;
+    for_each_fan(f, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+      const double x = a.x - o.x, y = a.y - o.y, z = a.z - o.z;
+      const double p[3] = {b.x - o.x, b.y - o.y, b.z - o.z},
+                   q[3] = {c.x - o.x, c.y - o.y, c.z - o.z};
+      const double term = x * (p[1] * q[2] - p[2] * q[1]) + y * (p[2] * q[0] - p[0] * q[2]) +
+                          z * (p[0] * q[1] - p[1] * q[0]);
+      v.sum += term;
+      v.size += std::abs(term);
+      v.terms += 1;
+    });
+  }
+
+  void find_signs() {
+    std::vector<std::uint8_t> open(volumes_.size(), 0);
+    for (std::size_t i = 0; i < volumes_.size(); ++i) {
+      Enclosed& v = volumes_[i];
+      const Vec3 &low = v.bounds.low, &high = v.bounds.high;
+      const double reach = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+      const double error = 0x1p-50 * v.terms * (v.size + reach * reach * reach) + 0x1p-1000;
+      if (std::abs(v.sum) > error)
+        v.sign = sign_of(v.sum);
+      else
+        open[i] = 1;
+    }
+    if (std::find(open.begin(), open.end(), 1) != open.end()) find_exact_signs(open);
+  }
+
+  void find_exact_signs(const std::vector<std::uint8_t>& open) {
+    std::vector<Dyadic> sums(volumes_.size());
+    for (std::size_t f = 0; f < brep_.face_count(); ++f) {
+      const std::uint32_t shell = shells_.of_face[f];
+      if (!open[shell]) continue;
+      for_each_fan(FaceId(f), [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+        const Dyadic bx(b.x), by(b.y), bz(b.z), cx(c.x), cy(c.y), cz(c.z);
+        sums[shell] += Dyadic(a.x) * (by * cz - bz * cy) + Dyadic(a.y) * (bz * cx - bx * cz) +
+                       Dyadic(a.z) * (bx * cy - by * cx);
+      });
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      if (open[i]) volumes_[i].sign = sums[i].sign();
+  }
+
+  const Brep& brep_;
+  const Geometry& geometry_;
+  Shells shells_;
+  std::vector<Enclosed> volumes_;
+};
+
+double extent(const Bounds& b) {
+  return std::max({b.high.x - b.low.x, b.high.y - b.low.y, b.high.z - b.low.z});
+}
+
+bool contains(const Bounds& a, const Bounds& b) {
+  return a.low.x <= b.low.x && a.low.y <= b.low.y && a.low.z <= b.low.z && b.high.x <= a.high.x &&
+         b.high.y <= a.high.y && b.high.z <= a.high.z;
+}
+
+}  // namespace
+
+void check_orientation(const Brep& brep, const Geometry& geometry) {
+  using Reason = InvalidSolid::Reason;
+  const std::vector<Enclosed> shells = ShellVolumes(brep, geometry).run();
+  // The largest first: what is around many others is found at once.
+  std::vector<const Bounds*> outwards;
+  for (const Enclosed& v : shells)
+    if (v.sign == Sign::positive) outwards.push_back(&v.bounds);
+  std::sort(outwards.begin(), outwards.end(),
+            [](const Bounds* a, const Bounds* b) { return extent(*a) > extent(*b); });
+  for (const Enclosed& v : shells) {
+    const std::uint32_t face = brep.source[v.face].face;
+    if (v.sign == Sign::zero)
+      throw InvalidSolid(
+          Reason::self_intersecting,
+          "the shell with face " + std::to_string(face) + " encloses no volume; remove it", face);
+    if (v.sign == Sign::negative &&
+        std::none_of(outwards.begin(), outwards.end(),
+                     [&](const Bounds* around) { return contains(*around, v.bounds); }))
+      throw InvalidSolid(Reason::inside_out,
+                         "the shell with face " + std::to_string(face) +
+                             " is inside out and in no other shell; turn all its faces around",
+                         face);
+  }
+}
+
+}  // namespace sectile
