@@ -1,0 +1,10 @@
+#include "fuzz/read_anything.h"
+
+using namespace sectile;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return fuzz::read_anything(data, size, read_off, [](const PolygonMesh& mesh) {
+    fuzz::require_same(mesh,
+                       read_off(fuzz::written([&](Sink& out) { write_off(out, mesh); }), "again"));
+  });
+}

@@ -1,0 +1,11 @@
+#include "fuzz/read_anything.h"
+
+using namespace sectile;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return fuzz::read_anything(data, size, read_stl, [](const PolygonMesh& mesh) {
+    fuzz::require_same(
+        mesh,
+        read_stl(fuzz::written([&](Sink& out) { write_stl_text(out, mesh, "again"); }), "again"));
+  });
+}
