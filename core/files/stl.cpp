@@ -17,6 +17,12 @@ bool is_word(std::string_view token, std::string_view lower_case) {
          });
 }
 
+bool is_binary(std::string_view content, std::string_view name) {
+  if (has_size_of_binary_stl(content)) return true;
+  Scanner scan(content, name, Scanner::no_comments);
+  return may_be_binary_stl(content) && !is_word(scan.token(), "solid");
+}
+
 class TextReader {
  public:
   TextReader(std::string_view content, std::string_view name)
@@ -83,7 +89,8 @@ class TextReader {
 }  // namespace
 
 PolygonMesh read_stl(std::string_view content, std::string_view name) {
-  return is_binary_stl(content) ? read_stl_binary(content, name) : TextReader(content, name).run();
+  return is_binary(content, name) ? read_stl_binary(content, name)
+                                  : TextReader(content, name).run();
 }
 
 void write_stl_text(Sink& out, const PolygonMesh& mesh, std::string_view name) {

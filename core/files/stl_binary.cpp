@@ -43,15 +43,18 @@ float as_float(double value, std::string_view name) {
 
 }  // namespace
 
-bool is_binary_stl(std::string_view content) {
-  if (content.size() < header_size) return false;
-  return content.size() == size_with(value_at<std::uint32_t>(content.data() + comment_size)) ||
-         !content.starts_with("solid");
+bool may_be_binary_stl(std::string_view content) {
+  return content.size() >= header_size;
+}
+
+bool has_size_of_binary_stl(std::string_view content) {
+  return may_be_binary_stl(content) &&
+         content.size() == size_with(value_at<std::uint32_t>(content.data() + comment_size));
 }
 
 PolygonMesh read_stl_binary(std::string_view content, std::string_view name) {
   const auto count = value_at<std::uint32_t>(content.data() + comment_size);
-  if (content.size() != size_with(count))
+  if (!has_size_of_binary_stl(content))
     fail(name, content.size(),
          std::to_string(count) + " triangles need " + std::to_string(size_with(count)) +
              " bytes, but the file has " + std::to_string(content.size()));

@@ -7,8 +7,11 @@
 
 namespace sectile {
 
-/// A binary file may begin with "solid" too, so its size decides.
-bool is_binary_stl(std::string_view content);
+/// Has the file just the size that its number of triangles asks for? A binary file may begin with
+/// "solid" too.
+bool has_size_of_binary_stl(std::string_view content);
+/// At least long enough for a number of triangles.
+bool may_be_binary_stl(std::string_view content);
 PolygonMesh read_stl_binary(std::string_view content, std::string_view name);
 
 }  // namespace sectile
