@@ -63,7 +63,7 @@ class Noding {
     const auto [a, b] = line_of(record);
     std::vector<std::uint32_t> found;
     tree_.query([&](const Box& other) { return other.overlaps(box); },
-                [&](std::uint32_t place) {
+                [&, a = a, b = b](std::uint32_t place) {
                   if (place == record.place[0] || place == record.place[1]) return;
                   const PointId x = w_.point(place);
                   if (kernel_.side(x, a) == Sign::zero && kernel_.side(x, b) == Sign::zero)
