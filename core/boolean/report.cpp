@@ -160,7 +160,8 @@ void report_gluing(const Workspace& w, const std::vector<WedgePair>& wedges) {
       add_name(h.solid == 0 ? event.a : event.b, name);
       sides += (sides.empty() ? "" : " and ") + std::string(h.solid == 0 ? "A " : "B ") + name;
     }
-    event.facts = {{"between", sides}};
+    const bool glued = w.carriers[w.half_planes[pair.first].carrier].cut;
+    event.facts = {{"between", sides}, {"glued", glued ? "yes" : "no, never apart"}};
   }
   send(w, Phase::gluing, events);
 }

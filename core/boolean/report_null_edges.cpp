@@ -1,4 +1,5 @@
 // Null edges, and where to their ends are to be moved apart so that they can be seen.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -13,6 +14,14 @@ void add(Vec3& sum, const Vec3& v, double weight) {
   sum = {sum.x + weight * v.x, sum.y + weight * v.y, sum.z + weight * v.z};
 }
 
+Vec3 scaled(const Vec3& v, double by) {
+  return {by * v.x, by * v.y, by * v.z};
+}
+
+double length(const Vec3& v) {
+  return std::hypot(v.x, v.y, v.z);
+}
+
 class NullEdgeReport {
  public:
   explicit NullEdgeReport(const Workspace& w) : w_(w) {
@@ -23,6 +32,7 @@ class NullEdgeReport {
     find_sites();
     add_cuts();
     add_edges();
+    spread();
   }
 
   std::vector<TraceEvent> events() const {
@@ -34,8 +44,12 @@ class NullEdgeReport {
  private:
   static constexpr std::uint32_t no_site = 0xFFFFFFFFu;
   struct Pull {
-    Vec3 sum, aside;
+    Vec3 sum, aside, moved;
     bool complete = false;
+  };
+  struct Centre {
+    Vec3 sum;
+    double count = 0, farthest = 0;
   };
 
   bool is_null(const Brep& brep, HalfEdgeId h) const {
@@ -58,7 +72,7 @@ class NullEdgeReport {
       const int s = carrier.solid;
       const Brep& brep = w_.patch[s].brep;
       Vec3 along = unit_direction(w_, segment);
-      if (end.which == 1) along = {-along.x, -along.y, -along.z};
+      if (end.which == 1) along = scaled(along, -1);
       const FaceId face = carrier.entity.is_face()
                               ? carrier.entity.face()
                               : brep.face_of(Brep::half_edge(carrier.entity.edge()));
@@ -103,10 +117,42 @@ class NullEdgeReport {
   }
 
   // Cuts that leave in opposite directions say nothing but on which side of them a vertex is.
-  Vec3 pull(int s, VertexId v) const {
-    const Pull& p = pulls_[s][v.value()];
-    const bool balanced = std::hypot(p.sum.x, p.sum.y, p.sum.z) < 0.01;
-    return unit(balanced ? p.aside : p.sum);
+  Vec3 direction_of(const Pull& p) const { return unit(length(p.sum) < 0.01 ? p.aside : p.sum); }
+
+  // The vertices of a site move apart: relative to their mean direction, the farthest by one.
+  void spread() {
+    centres_.resize(w_.sites.size());
+    for_each_end([&](Pull& p, Centre& centre) {
+      p.moved = direction_of(p);
+      add(centre.sum, p.moved, 1);
+      ++centre.count;
+    });
+    for_each_end([&](Pull& p, Centre& centre) {
+      add(p.moved, centre.sum, -1.0 / centre.count);
+      centre.farthest = std::max(centre.farthest, length(p.moved));
+    });
+    for_each_end([&](Pull& p, Centre& centre) {
+      if (centre.farthest < 0.01)
+        p.moved = unit(p.aside);
+      else
+        p.moved = scaled(p.moved, 1 / centre.farthest);
+    });
+  }
+
+  // Each vertex of null edges that belongs to a site, once.
+  template <class Visit>
+  void for_each_end(const Visit& visit) {
+    std::vector<std::uint8_t> seen[2];
+    for (int s = 0; s < 2; ++s) seen[s].assign(pulls_[s].size(), 0);
+    for (const auto& [solid, edge] : w_.null_edges) {
+      const std::uint32_t site = site_of_[solid][edge.value()];
+      if (site == no_site) continue;
+      for (const unsigned side : {0u, 1u}) {
+        const VertexId v = w_.patch[solid].brep.from(Brep::half_edge(edge, side));
+        if (!std::exchange(seen[solid][v.value()], std::uint8_t{1}))
+          visit(pulls_[solid][v.value()], centres_[site]);
+      }
+    }
   }
 
   TraceEvent event(std::uint8_t s, EdgeId edge) const {
@@ -118,11 +164,11 @@ class NullEdgeReport {
     (s == 0 ? event.a : event.b) = name_of(patch, edge);
     event.points = {w_.geometry.position(patch.brep.point_of(from))};
     event.facts = {{"from", name_of(patch, from)}, {"to", name_of(patch, to)}};
-    Vec3 away = pull(s, from), towards = pull(s, to);
-    if (away == towards) away = {-towards.x, -towards.y, -towards.z};
-    event.pulls = {away, towards};
+    event.pulls = {pulls_[s][from.value()].moved, pulls_[s][to.value()].moved};
     const std::uint32_t site = site_of_[s][edge.value()];
     if (site == no_site) {
+      if (event.pulls[0] == event.pulls[1])
+        event.pulls = {direction_of(pulls_[s][from.value()]), direction_of(pulls_[s][to.value()])};
       event.facts.push_back({"links", "corners that touch each other"});
     } else {
       event.places = {w_.sites[site].place};
@@ -135,6 +181,7 @@ class NullEdgeReport {
   const Workspace& w_;
   std::vector<std::uint32_t> site_of_[2];  // per edge
   std::vector<Pull> pulls_[2];             // per vertex
+  std::vector<Centre> centres_;            // per site
 };
 
 }  // namespace

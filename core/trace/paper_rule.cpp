@@ -83,7 +83,8 @@ PaperRule edge_in_face(const Side& edge, const Side& face, Operation operation) 
     rule.says += "The ON sector counts as " + std::string(on.after) + ". ";
   }
   if (apart)
-    rule.says += "The sectors are on different sides: the edge goes through the face there.";
+    rule.says +=
+        "The sectors are on different sides: the surface passes through the face along the edge.";
   else if (edge.is_cut() || face.is_cut())
     rule.says +=
         "The paper sees no intersection; but two wedges of material touch in this line, and each "
@@ -91,6 +92,18 @@ PaperRule edge_in_face(const Side& edge, const Side& face, Operation operation) 
   else
     rule.says += "Both sectors are on one side: no intersection.";
   return rule;
+}
+
+// Whether the surfaces cross in an edge that they share.
+std::string what_follows(const Side& a, const Side& b) {
+  const auto differ = [](const Side& s) {
+    return s.half_planes[0]->after != s.half_planes[1]->after;
+  };
+  if (differ(a) || differ(b)) return " So the surfaces cross in this line.";
+  if (a.is_cut() || b.is_cut())
+    return " The surfaces do not cross, but two wedges of material touch in this line, and each "
+           "gets an edge of its own.";
+  return " So nothing is cut.";
 }
 
 PaperRule edge_on_edge(const Side& a, const Side& b) {
@@ -102,30 +115,26 @@ PaperRule edge_on_edge(const Side& a, const Side& b) {
     else
       other = h;
   }
-  const bool parted = a.is_cut() || b.is_cut();
-  const std::string follows =
-      parted ? " So the surfaces cross in this line, or part into two wedges of material there."
-             : " Nothing is cut.";
   if (on.size() == 2)
     return {"figure 20a",
-            "All sectors are pairwise coplanar: the edges coincide and no sectors intersect." +
-                std::string(parted ? " Two wedges of material touch here; each gets its edge."
-                                   : " Nothing is cut.")};
+            "The edges coincide and all sectors are pairwise coplanar; coplanar "
+            "sectors do not intersect." +
+                what_follows(a, b)};
   if (on.size() == 1) {
     const bool identical = on[0]->before == "on+", in = other->before == "in";
     const char letter = identical ? (in ? 'b' : 'c') : (in ? 'e' : 'd');
     return {std::string("figure 20") + letter,
-            std::string("One pair of sectors is coplanar, with ") +
+            std::string("The edges coincide. One pair of sectors is coplanar, with ") +
                 (identical ? "equal" : "opposite") + " normals; A's other sector lies " +
-                (in ? "inside" : "outside") + " B. The tie is broken by Table I." + follows};
+                (in ? "inside" : "outside") + " B. Table I breaks the tie." + what_follows(a, b)};
   }
   const bool mixed = a.half_planes[0]->before != a.half_planes[1]->before;
   return {mixed ? "figure 19a" : "figure 19b",
-          mixed ? "Sorted around the common line the four sectors come in mixed order: they "
-                  "intersect."
-                : "Sorted around the common line the sectors of A and of B do not mix." +
-                      std::string(parted ? " Two wedges of material touch here; each gets its edge."
-                                         : " Nothing is cut.")};
+          (mixed ? "The edges coincide. Sorted around their line the four sectors come in mixed "
+                   "order."
+                 : "The edges coincide. Sorted around their line the sectors of A and of B do not "
+                   "mix.") +
+              what_follows(a, b)};
 }
 
 }  // namespace

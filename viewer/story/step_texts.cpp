@@ -15,7 +15,7 @@ void tell_event(const StoryRecord& record, const TraceEvent& event, Step& step) 
   if (kind == "contact") return tell_contact(record, event, step);
   if (kind == "segment") return tell_segment(event, step);
   if (kind == "neighborhood") return tell_neighborhood(record, event, step);
-  if (kind == "null edge") return tell_null_edge(event, step);
+  if (kind == "null edge") return tell_null_edge(record, event, step);
   if (kind == "cut") return tell_cut(record, event, step);
   if (kind == "part") return tell_part(record, event, step);
   if (kind == "wedge") return tell_wedge(record, event, step);
@@ -23,13 +23,11 @@ void tell_event(const StoryRecord& record, const TraceEvent& event, Step& step) 
   throw std::logic_error("an unknown kind of event: " + event.kind);
 }
 
-// The place whose neighborhood says most about a step: of a segment the end at which a vertex of A
-// meets one of B, if there is one.
-std::uint32_t main_place(const StoryRecord& record, const TraceEvent& event) {
-  for (const std::uint32_t place : event.places)
-    for (const std::uint32_t i : record.contacts.at(place))
-      if (record.events[i].fact("kind").find("face") == std::string_view::npos) return place;
-  return event.places[0];
+// While contacts are being found, nothing is classified yet.
+SpherePicture without_codes(SpherePicture sphere) {
+  for (SpherePicture::Arc& arc : sphere.arcs) arc.code.clear();
+  for (SpherePicture::Mark& mark : sphere.marks) mark.code.clear();
+  return sphere;
 }
 
 }  // namespace
@@ -44,19 +42,19 @@ Step tell_step(const StoryRecord& record, std::size_t number) {
   step.b = event.b;
   for (const Vec3& p : event.points) step.places.push_back(to_glm(p));
   tell_event(record, event, step);
-  if (!event.places.empty()) step.sphere = sphere_at(record, main_place(record, event));
+  if (!event.places.empty()) step.sphere = sphere_at(record, record.main_place(event));
+  if (step.phase == Phase::reduction) step.sphere = without_codes(std::move(step.sphere));
   return step;
 }
 
-void tell_null_edge(const TraceEvent& event, Step& step) {
+void tell_null_edge(const StoryRecord& record, const TraceEvent& event, Step& step) {
   const int solid = event.a.empty() ? 1 : 0;
   const std::string name = solid == 0 ? event.a : event.b;
-  const std::string ends =
-      std::string(event.fact("from")) + " and " + std::string(event.fact("to"));
-  const std::string at(event.fact("at")), cuts(event.fact("cuts there"));
+  const std::string from(event.fact("from")), to(event.fact("to")), at(event.fact("at")),
+      cuts(event.fact("cuts there"));
   step.columns = {"null edge", "solid", "from", "to", "at", "cuts there"};
-  step.table = {{name, solid == 0 ? "A" : "B", std::string(event.fact("from")),
-                 std::string(event.fact("to")), at.empty() ? "corners that touch" : at, cuts}};
+  step.table = {
+      {name, solid == 0 ? "A" : "B", from, to, at.empty() ? "corners that touch" : at, cuts}};
   if (at.empty()) {
     step.title =
         "null edge " + name + " of " + (solid == 0 ? "A" : "B") + " between corners that touch";
@@ -65,27 +63,28 @@ void tell_null_edge(const TraceEvent& event, Step& step) {
         " links them, so that each corner encloses nothing but one part of the face.";
     return;
   }
+  const std::string ends = "vertices " + from + " and " + to;
   step.title = "null edge " + name + " at " + of_solid(solid, at);
-  if (at[0] == 'f')
-    step.words = "Inside " + of_solid(solid, at) + " " + cuts +
-                 " cuts meet in one point. The point becomes the vertices " + ends +
-                 ", one for each side of the cuts; the null edge " + name +
-                 " between them has no length and is an inner loop of the face (section 6.1, "
+  if (at[0] == 'f') {
+    step.words = "Inside " + of_solid(solid, at) + " " + counted(cuts, "cut") +
+                 " meet in one point. The point becomes " + ends +
+                 ", with a side of the cuts for each; null edge " + name +
+                 " between them has no length and begins an inner loop of the face (section 6.1, "
                  "figure 13).";
-  else if (at[0] == 'e')
-    step.words = capital(of_solid(solid, at)) +
-                 " is divided here, and the new vertex falls at once into " + ends +
-                 ", one for each run of sectors between its " + cuts + " cuts. The null edge " +
-                 name + " joins them.";
-  else
-    step.words = "The neighborhood of " + of_solid(solid, at) + " falls into " + cuts +
-                 " runs of sectors, one between each two of its cuts. " + ends +
-                 " have the same place, and the null edge " + name +
-                 " joins them (section 6.2.3, figure 21).";
+  } else {
+    step.words = at[0] == 'e' ? capital(of_solid(solid, at)) +
+                                    " is divided here, and the neighborhood of the new vertex"
+                              : "The neighborhood of " + of_solid(solid, at);
+    step.words +=
+        " falls into " + counted(cuts, "run") + " of sectors, between its cuts. Null edge " + name +
+        " joins " + ends + ", which have the same place: " +
+        (record.sight(event.places[0]) != Sight::coincident ? "section 6.1, as in figure 9."
+                                                            : "section 6.2.3, figure 21.");
+  }
   if (cuts != "1" && cuts != "2")
-    step.words += " With " + cuts +
-                  " cuts there is a chain of null edges; within one sector it dangles (figure 22).";
-  if (cuts == "1") step.words += " Only one cut ends here: the null edge dangles (figure 22).";
+    step.words += " The " + cuts +
+                  " cuts need a chain of null edges; those within one sector "
+                  "dangle (figure 22).";
 }
 
 void tell_cut(const StoryRecord& record, const TraceEvent& event, Step& step) {
@@ -127,17 +126,16 @@ void tell_part(const StoryRecord& record, const TraceEvent& event, Step& step) {
 void tell_wedge(const StoryRecord& record, const TraceEvent& event, Step& step) {
   const std::string between(event.fact("between"));
   const bool one_solid = event.a.empty() || event.b.empty();
+  const bool glued = event.fact("glued") == "yes";
   step.title = "wedge between " + between;
   step.words = "Around the segment between places " + std::to_string(event.places[0]) + " and " +
-               std::to_string(event.places[1]) +
-               " these two pieces bound one wedge of the "
-               "material of " +
-               formula(record.operation) +
-               ": they are glued along it, and the "
-               "wedge gets an edge of its own.";
-  if (one_solid)
-    step.words += std::string(" Both pieces come from ") + (event.a.empty() ? "B" : "A") +
-                  ": the other solid leaves nothing of this edge's wedge or only touches it.";
+               std::to_string(event.places[1]) + " " + between +
+               " bound one wedge of the material of " + formula(record.operation) + ". ";
+  step.words += glued ? "They are glued along the segment, and the wedge gets an edge of its own."
+                      : "Nothing was cut between them, so that there is nothing to glue.";
+  if (one_solid && glued)
+    step.words += std::string(" Both come from ") + (event.a.empty() ? "B" : "A") +
+                  ": the wedge parts from others that touch it here.";
   step.columns = {"solid", "face", "class", "reclassified", "becomes"};
   const TraceEvent* neighborhood = record.neighborhood(event.places[0], event.places[1]);
   if (!neighborhood) return;
@@ -149,15 +147,18 @@ void tell_wedge(const StoryRecord& record, const TraceEvent& event, Step& step) 
 
 void tell_result(const StoryRecord& record, const TraceEvent& event, Step& step) {
   step.title = "result: " + formula(record.operation);
-  const auto number = [&](const char* name) { return std::string(event.fact(name)) + " " + name; };
+  const auto number = [&](const char* name, const char* one) {
+    return counted(event.fact(name), one);
+  };
   if (record.result.is_empty()) {
     step.words = "Nothing is left: " + formula(record.operation) + " is empty.";
   } else {
     step.words =
         "Edges between parts of one and the same face, and vertices in the middle of "
         "straight edges, have been removed. " +
-        formula(record.operation) + " has " + number("vertices") + ", " + number("edges") +
-        " and " + number("faces") + " in " + number("shells") + ".";
+        formula(record.operation) + " has " + number("vertices", "vertex") + ", " +
+        number("edges", "edge") + " and " + number("faces", "face") + " in " +
+        number("shells", "shell") + ".";
   }
   step.columns = {"count", "value"};
   for (const auto& [name, value] : event.facts) step.table.push_back({name, value});

@@ -11,7 +11,7 @@ Step tell_step(const StoryRecord& record, std::size_t number);
 void tell_contact(const StoryRecord& record, const TraceEvent& event, Step& step);
 void tell_segment(const TraceEvent& event, Step& step);
 void tell_neighborhood(const StoryRecord& record, const TraceEvent& event, Step& step);
-void tell_null_edge(const TraceEvent& event, Step& step);
+void tell_null_edge(const StoryRecord& record, const TraceEvent& event, Step& step);
 void tell_cut(const StoryRecord& record, const TraceEvent& event, Step& step);
 void tell_part(const StoryRecord& record, const TraceEvent& event, Step& step);
 void tell_wedge(const StoryRecord& record, const TraceEvent& event, Step& step);

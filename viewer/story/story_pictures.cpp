@@ -31,7 +31,7 @@ double neighborhood_size(const StoryRecord& record, const TraceEvent& event) {
   double shortest = 0.3 * scene;
   for (const std::uint32_t place : event.places)
     shortest = std::min(shortest, shortest_segment_at(record, place));
-  return std::clamp(0.42 * shortest, 0.01 * scene, 0.14 * scene);
+  return std::clamp(0.45 * shortest, 0.01 * scene, 0.18 * scene);
 }
 
 class Painter {
@@ -82,7 +82,7 @@ class Painter {
   const TraceEvent* current() const {
     return current_ == no_step ? nullptr : &record_.event(current_);
   }
-  Colour faint(Colour colour) const { return fainter(colour, theme_, 0.55f); }
+  Colour faint(Colour colour) const { return fainter(colour, theme_, 0.4f); }
 
   void paint_operands(bool as_wires) {
     for (int s = 0; s < 2; ++s) {
@@ -174,8 +174,8 @@ class Painter {
     const TraceEvent& event = *current();
     const double size = neighborhood_size(record_, event);
     ClassMeshes meshes;
-    for (const std::uint32_t place : event.places) add_fans(record_, place, size, meshes);
-    add_strips(event, 0.8 * size, 1.1 * size, meshes);
+    add_fans(record_, record_.main_place(event), size, meshes);
+    add_strips(event, 0.5 * size, 1.15 * size, meshes);
     for (const auto& [key, mesh] : meshes) {
       Surface surface;
       surface.mesh = mesh;
@@ -266,24 +266,35 @@ class Painter {
     return left * std::max(view_.exploded, 0.3);
   }
 
+  // A wedge's edge where the kept parts of its solids are now.
+  static void add_seam(Lines& seams, const TraceEvent& event, const glm::dvec3 (&moved)[2]) {
+    for (int s = 0; s < 2; ++s)
+      if (!(s == 0 ? event.a : event.b).empty())
+        for (const Vec3& p : event.points) seams.ends.push_back(glm::vec3(to_glm(p) + moved[s]));
+  }
+
   void paint_gluing() {
     const double exploded = apart();
+    glm::dvec3 moved[2] = {glm::dvec3(0), glm::dvec3(0)};
     for (Part& part : parts_of(record_, theme_, false)) {
       if (part.kept) {
         if (part.turned) part.mesh = turned_inside_out(*part.mesh);
         paint_part(part, exploded, false);
+        moved[part.name[0] == 'A' ? 0 : 1] = part.direction * exploded;
       } else if (!part.mesh->positions.empty()) {
         Surface ghost;
         ghost.mesh = part.mesh;
         ghost.colour = with_alpha(part.colour, 0.12f);
         ghost.translucent = true;
+        ghost.edges = false;
         picture_.surfaces.push_back(ghost);
       }
     }
-    Lines seams = lines(theme_.cut, 3);
-    for (std::size_t i = first_; i < done(); ++i) add_segment(seams, record_.event(i));
+    Lines seams = lines(theme_.cut, 3), seam = lines(theme_.step, 5);
+    for (std::size_t i = first_; i < done(); ++i) add_seam(seams, record_.event(i), moved);
     add(seams);
-    if (current()) highlight(*current());
+    if (current()) add_seam(seam, *current(), moved);
+    add(seam);
   }
 
   void paint_cleanup() {

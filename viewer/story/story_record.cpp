@@ -34,6 +34,23 @@ const TraceEvent* StoryRecord::neighborhood(std::uint32_t from, std::uint32_t to
   return nullptr;
 }
 
+Sight StoryRecord::sight(std::uint32_t place) const {
+  Sight best = Sight::edge_through_face;
+  for (const std::uint32_t i : contacts.at(place)) {
+    const TraceEvent& contact = events[i];
+    const bool face = contact.a[0] == 'f' || contact.b[0] == 'f';
+    const bool vertex = contact.a[0] == 'v' || contact.b[0] == 'v';
+    if (!face) return Sight::coincident;
+    if (vertex) best = Sight::vertex_in_face;
+  }
+  return best;
+}
+
+std::uint32_t StoryRecord::main_place(const TraceEvent& event) const {
+  return *std::max_element(event.places.begin(), event.places.end(),
+                           [&](std::uint32_t p, std::uint32_t q) { return sight(p) < sight(q); });
+}
+
 const Mesh& StoryRecord::operand(int solid) const {
   std::call_once(operands_once_, [&] { operands_ = {surface_mesh(a), surface_mesh(b)}; });
   return operands_[static_cast<std::size_t>(solid)];
@@ -83,7 +100,8 @@ class Specials {
     if (event.kind == "neighborhood") return !is_plain_crossing(event);
     if (event.kind == "null edge") return !is_plain_null_edge(event);
     if (event.kind == "cut") return (event.a + event.b)[0] != 'f';
-    if (event.kind == "wedge") return event.a.empty() || event.b.empty();
+    if (event.kind == "wedge")
+      return event.fact("glued") == "yes" && (event.a.empty() || event.b.empty());
     return false;
   }
 

@@ -27,6 +27,10 @@ class EventsByPlace {
   std::vector<std::uint32_t> start_, events_;
 };
 
+/// What is to be seen at a place, the most telling last: an edge through a face, a vertex in a
+/// face, vertices that coincide (once edges are divided).
+enum class Sight : std::uint8_t { edge_through_face, vertex_in_face, coincident };
+
 struct StoryRecord {
   Solid a, b, result;
   Operation operation = Operation::unite;
@@ -39,6 +43,10 @@ struct StoryRecord {
   const TraceEvent& event(std::size_t step) const { return events[steps[step].event]; }
   /// The neighborhood of the segment between two places; null if there is none.
   const TraceEvent* neighborhood(std::uint32_t from, std::uint32_t to) const;
+
+  Sight sight(std::uint32_t place) const;
+  /// The place of an event whose neighborhood says most; the event has one.
+  std::uint32_t main_place(const TraceEvent& event) const;
 
   /// Made when first asked for.
   const Mesh& operand(int solid) const;

@@ -48,6 +48,12 @@ std::string equation_4(Operation operation) {
   return "By equation (4) the boundary of A \\ B is AoutB glued to BinA turned inside out.";
 }
 
+std::string counted(std::string_view number, std::string_view one) {
+  const std::string start = std::string(number) + " ";
+  if (number == "1") return start + std::string(one);
+  return start + (one == "vertex" ? "vertices" : std::string(one) + "s");
+}
+
 std::string capital(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;

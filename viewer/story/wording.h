@@ -20,6 +20,8 @@ std::string sign(Operation operation);
 std::string formula(Operation operation);
 /// Equation (4) for an operation, as a sentence.
 std::string equation_4(Operation operation);
+/// "1 face", "2 faces".
+std::string counted(std::string_view number, std::string_view one);
 std::string capital(std::string text);
 /// "(1, 2.5, 3)".
 std::string coordinates(const Vec3& point);

@@ -66,7 +66,7 @@ struct TraceEvent {
   std::vector<TraceSector> sectors;   ///< of a contact: cycles of A's, then of B's
   /// Of a neighborhood: counter-clockwise, seen against the direction of the segment.
   std::vector<TraceHalfPlane> half_planes;
-  std::vector<Vec3> pulls;  ///< of a null edge: where to its first and second end move apart
+  std::vector<Vec3> pulls;  ///< of a null edge: how its two ends move apart; length 0 … 1
 
   /// The value of a fact, or nothing.
   std::string_view fact(std::string_view name) const;
