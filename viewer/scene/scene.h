@@ -20,13 +20,22 @@ using NodeId = std::uint32_t;
 /// Parameters of a primitive; which of them count depends on the shape.
 struct Primitive {
   enum class Shape : std::uint8_t {
-    block, wedge, prism, pyramid, cylinder, cone, sphere, torus, extrusion, revolution
+    block,
+    wedge,
+    prism,
+    pyramid,
+    cylinder,
+    cone,
+    sphere,
+    torus,
+    extrusion,
+    revolution
   };
   Shape shape = Shape::block;
-  Vec3 size{2, 2, 2};                  ///< block, wedge: edge lengths; centred at the origin
+  Vec3 size{2, 2, 2};  ///< block, wedge: edge lengths; centred at the origin
   double radius = 1, top_radius = 0, minor_radius = 0.35, height = 2;
   std::uint32_t segments = 32, rings = 16;
-  Profile profile;                     ///< extrusion, revolution
+  Profile profile;  ///< extrusion, revolution
   friend bool operator==(const Primitive&, const Primitive&);
 };
 
@@ -34,27 +43,36 @@ struct Primitive {
 struct Imported {
   std::filesystem::path path;
   std::shared_ptr<const PolygonMesh> mesh;
+  friend bool operator==(const Imported&, const Imported&);  ///< meshes by value
 };
 
 /// A Boolean of the child nodes, in their order.
 struct BooleanNode {
   Operation operation = Operation::unite;
+  friend bool operator==(const BooleanNode&, const BooleanNode&) = default;
 };
 
-/// The part of the only child above or below a plane given in world coordinates.
+/// The part of the only child above or below a plane, which is given in the node's own coordinates
+/// (the world's for a node that was not moved), so that the cut moves with the node.
 struct SplitNode {
   HalfSpace plane;
   bool above = true;
+  friend bool operator==(const SplitNode&, const SplitNode&);
 };
 
-struct Group {};
+/// Holds solids together. Where an operation needs a solid, it is the union of the members.
+struct Group {
+  friend bool operator==(const Group&, const Group&) = default;
+};
 
 /// Placement: scaled, then turned (degrees about x, then y, then z), then moved. Right angles and
 /// what doubles hold exactly stay exact.
 struct Placement {
   Vec3 position{0, 0, 0}, rotation{0, 0, 0}, scale{1, 1, 1};
   Transform transform() const;
-  friend bool operator==(const Placement&, const Placement&);
+  /// The placement that comes nearest to a map: exact if there is one without shear.
+  static Placement of(const Transform& transform);
+  friend bool operator==(const Placement&, const Placement&) = default;
 };
 
 struct Node {
@@ -65,28 +83,61 @@ struct Node {
   std::variant<Primitive, Imported, BooleanNode, SplitNode, Group> what;
   std::vector<NodeId> children;
   NodeId parent = 0;
+  friend bool operator==(const Node&, const Node&) = default;
 };
 
+/// What a node is called that was not named: "Block", "Union", …
+std::string default_name(const Node& node);
+
+/// Members throw std::out_of_range for an id that does not exist, and std::invalid_argument for
+/// what would be no tree (say, a node moved into itself).
 class Scene {
  public:
   const std::vector<NodeId>& roots() const { return roots_; }
-  const Node* find(NodeId id) const;
+  const Node* find(NodeId id) const;  ///< null if there is none
+  const Node& at(NodeId id) const;
   std::size_t size() const { return nodes_.size(); }
+  bool is_empty() const { return nodes_.empty(); }
   /// All nodes, parents before children, in the order of the tree.
   std::vector<NodeId> in_order() const;
+  /// The node and all below it, parents before children.
+  std::vector<NodeId> subtree(NodeId id) const;
+  bool is_below(NodeId id, NodeId ancestor) const;  ///< also true for the ancestor itself
+  /// The nodes without those that lie below another one of them.
+  std::vector<NodeId> topmost(const std::vector<NodeId>& ids) const;
+  /// From the coordinates of a node to the world's, and from those that its placement stands in.
+  Transform world(NodeId id) const;
+  Transform world_of_parent(NodeId id) const;
+  bool is_shown(NodeId id) const;  ///< it and all above it are visible
 
   NodeId add(Node node, NodeId parent = 0, std::size_t at = SIZE_MAX);  ///< gives id and free name
-  Node& edit(NodeId id);                    ///< copy on write; throws std::out_of_range
-  void remove(NodeId id);                   ///< with everything below it
-  NodeId duplicate(NodeId id);              ///< with everything below it, beside it
-  void move(NodeId id, NodeId parent, std::size_t at);
+  /// Copy on write. Not for `id`, `parent` and `children`; valid until the scene is copied.
+  Node& edit(NodeId id);
+  void rename(NodeId id, const std::string& name);  ///< a free name like it, if it is taken
+  void remove(NodeId id);                           ///< with everything below it
+  NodeId duplicate(NodeId id);                      ///< with everything below it, beside it
+  /// To another place of the tree; it stays where it is in the world, up to rounding. `at` counts
+  /// the children as they are before.
+  void move(NodeId id, NodeId parent, std::size_t at = SIZE_MAX);
   NodeId combine(const std::vector<NodeId>& operands, Operation operation);  ///< new parent of them
   NodeId group(const std::vector<NodeId>& members);
-  void ungroup(NodeId id);
-  std::pair<NodeId, NodeId> split(NodeId id, const HalfSpace& plane);  ///< above and below
+  void ungroup(NodeId id);  ///< members stay where they are in the world, up to rounding
+  /// Above and below a plane given in world coordinates. The part below gets a duplicate.
+  std::pair<NodeId, NodeId> split(NodeId id, const HalfSpace& plane);
+
+  /// A scene of given nodes, ids and links included, as files hold them. Throws
+  /// std::invalid_argument if they make no tree.
+  static Scene from_nodes(std::vector<Node> nodes, std::vector<NodeId> roots);
   friend bool operator==(const Scene&, const Scene&);
 
  private:
+  Node& writable(NodeId id);
+  std::vector<NodeId>& siblings(NodeId parent);
+  std::size_t place_of(const Node& node) const;
+  std::string free_name(const std::string& wanted) const;
+  NodeId copy_below(NodeId id, NodeId parent, std::size_t at);
+  NodeId gather(Node node, const std::vector<NodeId>& members);
+
   std::vector<std::shared_ptr<const Node>> nodes_;  // ascending ids
   std::vector<NodeId> roots_;
   NodeId next_ = 1;
