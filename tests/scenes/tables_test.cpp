@@ -1,0 +1,229 @@
+// Tables I, II and III and the ties of figures 19 and 20, row by row: around one line, all wedges
+// of material between two of eight directions, of A against those of B and against B's face. Each
+// half-plane's class is asked for in the trace and compared with what the angles say; what becomes
+// of the ON classes is compared with Table I as docs/paper.md corrects it, written down here again.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "sectile/sectile.h"
+
+namespace sectile {
+namespace {
+
+// Material reaches counter-clockwise from one direction to the other; direction k is at 45k
+// degrees.
+struct Wedge {
+  int from, to;
+  int width() const { return (to - from + 8) % 8; }
+  /// Strictly between.
+  bool has(int k) const {
+    const int turn = (k - from + 8) % 8;
+    return 0 < turn && turn < width();
+  }
+};
+
+std::vector<Wedge> all_wedges() {
+  std::vector<Wedge> wedges;
+  for (int from = 0; from < 8; ++from)
+    for (int to = 0; to < 8; ++to)
+      if (from != to) wedges.push_back({from, to});
+  return wedges;
+}
+
+Vec2 corner(int k, double size) {
+  constexpr int x[] = {1, 1, 0, -1, -1, -1, 0, 1};
+  return {size * x[k % 8], size * x[(k + 6) % 8]};
+}
+
+Solid solid_of(const Wedge& wedge, double size, double low, double high) {
+  Profile profile;
+  profile.outer.push_back({0, 0});
+  for (int k = 0; k <= wedge.width(); ++k) profile.outer.push_back(corner(wedge.from + k, size));
+  return transformed(extrude(profile, high - low), Transform::translation({0, 0, low}));
+}
+Solid thin(const Wedge& wedge) {
+  return solid_of(wedge, 4, 0, 1);
+}
+Solid thick(const Wedge& wedge) {
+  return solid_of(wedge, 5, -1, 2);
+}
+// The lower half, whose face holds the line; as a wedge it reaches from 4 to 0.
+constexpr Wedge lower_half{4, 0};
+Solid thick_face() {
+  return block({-8, -8, -1}, {8, 0, 2});
+}
+
+class Neighborhoods : public Observer {
+ public:
+  std::vector<TraceEvent> events;
+  void phase_done(Phase phase, const std::vector<TraceEvent>& found) override {
+    if (phase != Phase::vertex_face && phase != Phase::vertex_vertex) return;
+    for (const TraceEvent& event : found)
+      if (event.kind == "neighborhood") events.push_back(event);
+  }
+};
+
+bool is_on_line(const TraceEvent& event) {
+  for (const Vec3& p : event.points)
+    if (p.x != 0 || p.y != 0) return false;
+  return true;
+}
+
+// The one neighborhood along the line of both wedges' edges.
+TraceEvent around_line(const Solid& a, const Solid& b, Operation operation) {
+  Neighborhoods found;
+  BooleanOptions options;
+  options.validate = true;
+  options.observer = &found;
+  EXPECT_TRUE(validate(boolean(a, b, operation, options)).empty());
+  std::erase_if(found.events, [](const TraceEvent& event) { return !is_on_line(event); });
+  EXPECT_EQ(found.events.size(), 1u);
+  return found.events.empty() ? TraceEvent{} : found.events.front();
+}
+
+int direction_of(const TraceHalfPlane& h) {
+  return (static_cast<int>(std::lround(std::atan2(h.direction.y, h.direction.x) * 4 / M_PI)) + 8) %
+         8;
+}
+// Material lies counter-clockwise of the half-plane.
+bool starts(const TraceHalfPlane& h) {
+  return h.direction.x * h.normal.y - h.direction.y * h.normal.x < 0;
+}
+
+std::string class_by_angle(int k, bool starts_material, const Wedge& other) {
+  if (k == other.from) return starts_material ? "on+" : "on-";
+  if (k == other.to) return starts_material ? "on-" : "on+";
+  return other.has(k) ? "in" : "out";
+}
+
+// Table I, corrected.
+std::string reclassified(const std::string& before, int solid, Operation operation) {
+  if (before == "in" || before == "out") return before;
+  if (operation == Operation::unite) return solid == 0 && before == "on+" ? "out" : "in";
+  return solid == 0 && before == "on+" ? "in" : "out";
+}
+
+// Equation (4).
+bool is_kept(const std::string& after, int solid, Operation operation) {
+  if (operation == Operation::unite) return after == "out";
+  if (operation == Operation::intersect) return after == "in";
+  return after == (solid == 0 ? "out" : "in");
+}
+
+constexpr Operation operations[] = {Operation::unite, Operation::intersect, Operation::subtract};
+
+bool combined(bool a, bool b, Operation operation) {
+  return operation == Operation::unite       ? a || b
+         : operation == Operation::intersect ? a && b
+                                             : a && !b;
+}
+
+void expect_half_planes(const TraceEvent& event, const Wedge (&wedges)[2], Operation operation) {
+  std::set<std::pair<int, int>> seen;
+  for (const TraceHalfPlane& h : event.half_planes) {
+    const int k = direction_of(h);
+    seen.insert({h.solid, k});
+    const Wedge &own = wedges[h.solid], &other = wedges[1 - h.solid];
+    EXPECT_EQ(k, starts(h) ? own.from : own.to);
+    const std::string before = class_by_angle(k, starts(h), other),
+                      after = reclassified(before, h.solid, operation);
+    EXPECT_EQ(h.before, before) << "solid " << int(h.solid) << " direction " << k;
+    EXPECT_EQ(h.after, after) << "solid " << int(h.solid) << " direction " << k;
+    EXPECT_EQ(h.kept, is_kept(after, h.solid, operation));
+    EXPECT_EQ(h.coplanar >= 0, before.starts_with("on"));
+  }
+  EXPECT_EQ(seen.size(), 4u);
+  // What is kept in a direction is one half-plane if the result begins or ends there, else none.
+  for (int k = 0; k < 8; ++k) {
+    const auto material = [&](int eighth) {
+      const auto in = [&](const Wedge& w) { return (eighth - w.from + 8) % 8 < w.width(); };
+      return combined(in(wedges[0]), in(wedges[1]), operation);
+    };
+    const auto kept =
+        std::count_if(event.half_planes.begin(), event.half_planes.end(),
+                      [&](const TraceHalfPlane& h) { return h.kept && direction_of(h) == k; });
+    EXPECT_EQ(kept, material(k) != material((k + 7) % 8) ? 1 : 0) << "direction " << k;
+  }
+}
+
+std::string name(const Wedge& a, const Wedge& b, Operation operation) {
+  return std::to_string(a.from) + ".." + std::to_string(a.to) + " with " + std::to_string(b.from) +
+         ".." + std::to_string(b.to) + ", operation " + std::to_string(static_cast<int>(operation));
+}
+
+// The row of Table II that the two sectors beside an edge have against a face, seen from the end at
+// which `first` comes first.
+int row_of_table_2(const std::string& first, const std::string& second) {
+  const auto column = [](const std::string& c) {
+    return c.starts_with("on") ? 0 : c == "in" ? 1 : 2;
+  };
+  return 3 * column(first) + column(second) + 1;
+}
+
+TEST(Tables, EveryEdgeOfAInAFaceOfBAndTheOtherWayRound) {
+  std::set<int> rows;
+  std::set<std::string> rows_of_table_3;
+  for (const bool turned : {false, true})
+    for (const Wedge& wedge : all_wedges()) {
+      const Wedge wedges[2] = {turned ? lower_half : wedge, turned ? wedge : lower_half};
+      const Solid a = turned ? thick_face() : thin(wedge), b = turned ? thin(wedge) : thick_face();
+      for (const Operation operation : operations) {
+        SCOPED_TRACE(name(wedges[0], wedges[1], operation));
+        const TraceEvent event = around_line(a, b, operation);
+        expect_half_planes(event, wedges, operation);
+        const std::string first = class_by_angle(wedge.from, true, lower_half),
+                          second = class_by_angle(wedge.to, false, lower_half);
+        const int row = row_of_table_2(first, second), back = row_of_table_2(second, first);
+        rows.insert(row);
+        const PaperRule rule = paper_rule(event, operation);
+        EXPECT_TRUE(rule.where.find("row " + std::to_string(row)) != std::string::npos &&
+                    rule.where.find("row " + std::to_string(back)) != std::string::npos)
+            << rule.where;
+        if (const auto table_3 = rule.where.find("Table III"); table_3 != std::string::npos)
+          rows_of_table_3.insert(rule.where.substr(table_3));
+      }
+    }
+  EXPECT_EQ(rows, (std::set<int>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  EXPECT_EQ(rows_of_table_3,
+            (std::set<std::string>{"Table III (identical, A against B, ∪: the rule holds)",
+                                   "Table III (identical, A against B, ∩: the rule does not hold)",
+                                   "Table III (identical, A against B, \\: the rule does not hold)",
+                                   "Table III (identical, B against A, ∪: the rule does not hold)",
+                                   "Table III (identical, B against A, ∩: the rule holds)",
+                                   "Table III (identical, B against A, \\: the rule holds)",
+                                   "Table III (opposite, A against B, ∪: the rule does not hold)",
+                                   "Table III (opposite, A against B, ∩: the rule holds)",
+                                   "Table III (opposite, A against B, \\: the rule holds)",
+                                   "Table III (opposite, B against A, ∪: the rule does not hold)",
+                                   "Table III (opposite, B against A, ∩: the rule holds)",
+                                   "Table III (opposite, B against A, \\: the rule holds)"}));
+}
+
+TEST(Tables, EveryEdgeOfAOnAnEdgeOfB) {
+  std::map<std::string, int> figures;
+  const auto wedges_of_a = all_wedges(), wedges_of_b = all_wedges();
+  std::vector<Solid> thick_wedges;
+  for (const Wedge& b : wedges_of_b) thick_wedges.push_back(thick(b));
+  for (const Wedge& a : wedges_of_a) {
+    const Solid solid = thin(a);
+    for (std::size_t i = 0; i < wedges_of_b.size(); ++i)
+      for (const Operation operation : operations) {
+        const Wedge wedges[2] = {a, wedges_of_b[i]};
+        SCOPED_TRACE(name(wedges[0], wedges[1], operation));
+        const TraceEvent event = around_line(solid, thick_wedges[i], operation);
+        expect_half_planes(event, wedges, operation);
+        ++figures[paper_rule(event, operation).where];
+        if (HasFailure()) return;
+      }
+  }
+  for (const char* figure : {"figure 19a", "figure 19b", "figure 20a", "figure 20b", "figure 20c",
+                             "figure 20d", "figure 20e"})
+    EXPECT_GT(figures[figure], 0) << figure;
+  EXPECT_EQ(figures.size(), 7u);
+}
+
+}  // namespace
+}  // namespace sectile

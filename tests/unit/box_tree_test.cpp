@@ -1,0 +1,148 @@
+// The tree finds exactly what comparing all boxes with all boxes finds, each pair once.
+#include "search/box_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace sectile {
+namespace {
+
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+class Boxes {
+ public:
+  explicit Boxes(unsigned seed) : random_(seed) {}
+  /// Small integer corners, so that many boxes touch without overlapping otherwise.
+  std::vector<Box> make(std::size_t count, int range, int size) {
+    std::vector<Box> boxes(count);
+    for (Box& box : boxes)
+      for (int k = 0; k < 3; ++k) {
+        box.low[k] = static_cast<float>(below(range));
+        box.high[k] = box.low[k] + static_cast<float>(below(size));
+      }
+    return boxes;
+  }
+  std::vector<std::uint32_t> groups(std::size_t count, int kinds) {
+    std::vector<std::uint32_t> groups(count);
+    for (auto& g : groups) {
+      const int kind = below(kinds + 1);
+      g = kind == kinds ? BoxTree::no_group : static_cast<std::uint32_t>(kind);
+    }
+    return groups;
+  }
+  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+
+ private:
+  std::mt19937 random_;
+};
+
+bool overlap(const Box& p, const Box& q) {
+  for (int k = 0; k < 3; ++k)
+    if (p.low[k] > q.high[k] || q.low[k] > p.high[k]) return false;
+  return true;
+}
+
+Pairs sorted(Pairs pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+template <class Skip>
+Pairs found_by_comparison(const std::vector<Box>& a, const std::vector<Box>& b, const Skip& skip) {
+  Pairs pairs;
+  for (std::uint32_t i = 0; i < a.size(); ++i)
+    for (std::uint32_t j = 0; j < b.size(); ++j)
+      if (overlap(a[i], b[j]) && !skip(i, j)) pairs.emplace_back(i, j);
+  return pairs;
+}
+
+void expect_all_pairs(const std::vector<Box>& a, const std::vector<Box>& b) {
+  Pairs found;
+  BoxTree::overlaps(BoxTree(a), BoxTree(b),
+                    [&](std::uint32_t i, std::uint32_t j) { found.emplace_back(i, j); });
+  EXPECT_EQ(sorted(found),
+            found_by_comparison(a, b, [](std::uint32_t, std::uint32_t) { return false; }));
+}
+
+TEST(BoxTree, FindsThePairsThatComparingAllFinds) {
+  Boxes boxes(1);
+  for (const std::size_t m : {1u, 2u, 4u, 5u, 17u, 300u})
+    for (const std::size_t n : {1u, 3u, 8u, 64u, 257u})
+      for (const int range : {1, 6, 100})
+        for (const int size : {1, 3, 40})
+          expect_all_pairs(boxes.make(m, range, size), boxes.make(n, range, size));
+}
+
+TEST(BoxTree, FindsPairsOfClumpsFarFromEachOther) {
+  Boxes boxes(2);
+  std::vector<Box> a = boxes.make(100, 5, 3), b = boxes.make(100, 5, 3);
+  for (std::size_t i = 0; i < 50; ++i)
+    for (int k = 0; k < 3; ++k) {
+      a[i].low[k] += 1e30f;
+      a[i].high[k] += 1e30f;
+      b[i].low[k] -= 1e-30f;
+    }
+  expect_all_pairs(a, b);
+}
+
+TEST(BoxTree, FindsNothingInAnEmptyTree) {
+  Boxes boxes(3);
+  const BoxTree none, some(boxes.make(10, 4, 4));
+  EXPECT_TRUE(none.empty());
+  EXPECT_FALSE(some.empty());
+  int visits = 0;
+  const auto count = [&](std::uint32_t, std::uint32_t) { ++visits; };
+  BoxTree::overlaps(none, some, count);
+  BoxTree::overlaps(some, none, count);
+  none.query([](const Box&) { return true; }, [&](std::uint32_t) { ++visits; });
+  EXPECT_EQ(visits, 0);
+}
+
+TEST(BoxTree, QueriesFindTheItemsAroundAPoint) {
+  Boxes boxes(4);
+  const std::vector<Box> a = boxes.make(500, 20, 6);
+  const BoxTree tree(a);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 p{boxes.below(52) / 2.0, boxes.below(52) / 2.0, boxes.below(52) / 2.0};
+    std::vector<std::uint32_t> found, wanted;
+    tree.query([&](const Box& box) { return box.contains(p); },
+               [&](std::uint32_t item) { found.push_back(item); });
+    for (std::uint32_t k = 0; k < a.size(); ++k)
+      if (a[k].contains(p)) wanted.push_back(k);
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, wanted);
+  }
+}
+
+TEST(BoxTree, SkipsExactlyThePairsOfUnwantedGroups) {
+  Boxes boxes(5);
+  for (const int kinds : {1, 2, 7})
+    for (int i = 0; i < 20; ++i) {
+      const std::vector<Box> a = boxes.make(120, 8, 4), b = boxes.make(90, 8, 4);
+      const auto of_a = boxes.groups(a.size(), kinds), of_b = boxes.groups(b.size(), kinds);
+      const auto skip = [](std::uint32_t g, std::uint32_t h) { return (g + h) % 2 == 0; };
+      Pairs found;
+      BoxTree::overlaps(
+          BoxTree(a, of_a), BoxTree(b, of_b),
+          [&](std::uint32_t p, std::uint32_t q) { found.emplace_back(p, q); }, skip);
+      EXPECT_EQ(sorted(found), found_by_comparison(a, b, [&](std::uint32_t p, std::uint32_t q) {
+                  return of_a[p] != BoxTree::no_group && of_b[q] != BoxTree::no_group &&
+                         skip(of_a[p], of_b[q]);
+                }));
+    }
+}
+
+TEST(BoxTree, BoxesOfDoublesAreRoundedOutwards) {
+  std::mt19937_64 random(6);
+  for (int i = 0; i < 10000; ++i) {
+    const double value =
+        std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 250) - 180) *
+        (random() % 2 == 0 ? 1 : -1);
+    EXPECT_LE(static_cast<double>(round_down(value)), value);
+    EXPECT_GE(static_cast<double>(round_up(value)), value);
+  }
+}
+
+}  // namespace
+}  // namespace sectile

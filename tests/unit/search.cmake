@@ -1,0 +1,1 @@
+sectile_test(box_tree_test SOURCES box_tree_test.cpp)

@@ -1,0 +1,1 @@
+sectile_test(euler_test SOURCES euler_test.cpp)
