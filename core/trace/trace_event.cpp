@@ -1,11 +1,19 @@
 #include "sectile/trace.h"
 
+#include "boolean/tables.h"
+
 namespace sectile {
 
 std::string_view TraceEvent::fact(std::string_view name) const {
   for (const auto& [known, value] : facts)
     if (known == name) return value;
   return {};
+}
+
+std::string_view reclassified(Operation operation, int solid, std::string_view before) {
+  if (before == "in" || before == "out") return before;
+  const Class on = before == "on+" ? Class::on_plus : Class::on_minus;
+  return reclassified(operation, solid, on) == Class::in ? "in" : "out";
 }
 
 std::string describe(const TraceHalfPlane& h) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "story/wording.h"
+
 namespace sectile::viewer {
 namespace {
 
@@ -36,25 +38,37 @@ bool is_kept(Operation operation, int solid, bool inside) {
 
 std::vector<Part> parts_of(const StoryRecord& record, const Theme& t, bool eight_way) {
   const Directions to(record);
-  const Operation operation = record.operation;
-  const bool turned = operation == Operation::subtract;
+  std::vector<Part> parts;
+  const auto add = [&](int solid, std::string_view code, const Mesh& mesh, const Colour& colour,
+                       double far, double up) {
+    const std::string_view four_way = reclassified(record.operation, solid, code);
+    Part& part = parts.emplace_back();
+    part.name = part_name(solid, code);
+    part.lumped = part_name(solid, four_way);
+    part.mesh = mesh;
+    part.colour = colour;
+    part.direction = to(solid, far, up);
+    part.kept = is_kept(record.operation, solid, four_way == "in");
+    part.turned = part.kept && solid == 1 && record.operation == Operation::subtract;
+  };
   if (!eight_way) {
-    const auto& [a_in_b, a_out_b, b_in_a, b_out_a] = record.four_parts();
-    return {{"AinB", a_in_b, t.a_in_b, to(0, 0.45, 0), is_kept(operation, 0, true), false},
-            {"AoutB", a_out_b, t.a_out_b, to(0, 1.35, 0), is_kept(operation, 0, false), false},
-            {"BinA", b_in_a, t.b_in_a, to(1, 0.45, 0), is_kept(operation, 1, true), turned},
-            {"BoutA", b_out_a, t.b_out_a, to(1, 1.35, 0), is_kept(operation, 1, false), false}};
+    const std::array<Mesh, 4>& m = record.four_parts();
+    add(0, "in", m[0], t.a_in_b, 0.45, 0);
+    add(0, "out", m[1], t.a_out_b, 1.35, 0);
+    add(1, "in", m[2], t.b_in_a, 0.45, 0);
+    add(1, "out", m[3], t.b_out_a, 1.35, 0);
+    return parts;
   }
-  // Equation (5) takes the parts that lie on the other boundary from A alone.
-  const auto& m = record.eight_parts();
-  return {{"AinB", m[0], t.a_in_b, to(0, 0.45, 0.6), is_kept(operation, 0, true), false},
-          {"AoutB", m[1], t.a_out_b, to(0, 1.35, 0), is_kept(operation, 0, false), false},
-          {"AonB+", m[2], t.a_on_b_plus, to(0, 0.45, 0), !turned, false},
-          {"AonB-", m[3], t.a_on_b_minus, to(0, 0.45, -0.6), turned, false},
-          {"BinA", m[4], t.b_in_a, to(1, 0.45, 0.6), is_kept(operation, 1, true), turned},
-          {"BoutA", m[5], t.b_out_a, to(1, 1.35, 0), is_kept(operation, 1, false), false},
-          {"BonA+", m[6], t.b_on_a_plus, to(1, 0.45, 0), false, false},
-          {"BonA-", m[7], t.b_on_a_minus, to(1, 0.45, -0.6), false, false}};
+  const std::array<Mesh, 8>& m = record.eight_parts();
+  add(0, "in", m[0], t.a_in_b, 0.45, 0.6);
+  add(0, "out", m[1], t.a_out_b, 1.35, 0);
+  add(0, "on+", m[2], t.a_on_b_plus, 0.45, 0);
+  add(0, "on-", m[3], t.a_on_b_minus, 0.45, -0.6);
+  add(1, "in", m[4], t.b_in_a, 0.45, 0.6);
+  add(1, "out", m[5], t.b_out_a, 1.35, 0);
+  add(1, "on+", m[6], t.b_on_a_plus, 0.45, 0);
+  add(1, "on-", m[7], t.b_on_a_minus, 0.45, -0.6);
+  return parts;
 }
 
 Mesh turned_inside_out(const SurfaceMesh& mesh) {

@@ -13,6 +13,7 @@ struct Part {
   Mesh mesh;
   Colour colour;
   glm::dvec3 direction{0};  ///< where to it moves, for an explosion of one
+  std::string lumped;  ///< the part of the four to which Table I adds it (itself, for those four)
   bool kept = false, turned = false;
 };
 

@@ -254,7 +254,7 @@ class Painter {
   void paint_components() {
     const std::string_view now = current() ? current()->fact("part") : "";
     for (const Part& part : parts_of(record_, theme_, view_.eight_way))
-      paint_part(part, view_.exploded, part.name == now);
+      paint_part(part, view_.exploded, part.lumped == now);
   }
 
   // The more wedges are glued, the closer the kept parts are to each other.

@@ -52,6 +52,8 @@ struct TraceHalfPlane {
   bool kept = false;  ///< in the boundary of the result
   bool cut = false;   ///< its carrier is cut along the segment
 };
+/// Table I: the class (as in `before`) that a piece of a solid's boundary gets for an operation.
+std::string_view reclassified(Operation operation, int solid, std::string_view before);
 /// Both classes and what follows, in one line.
 std::string describe(const TraceHalfPlane& half_plane);
 
