@@ -56,7 +56,7 @@ Command add_convert_command(CLI::App& program, Options& options) {
                 "write positions and polygons as they were read, not triangles (not for STL)");
   add_input_format(*app, options);
   add_output_format(*app, options);
-  add_validate(*app, options, "check also that no faces cross");
+  add_validate(*app, options, "check also that no faces cross, and the file written");
   add_reporting(*app, options);
   return {app, [=, &options] { return run(*arguments, options); }};
 }

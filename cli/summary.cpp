@@ -41,6 +41,7 @@ Json to_json(const Written& written) {
   json.update(to_json(written.solid));
   json["triangles"] = written.triangles;
   json["degenerate_triangles"] = written.degenerate_triangles;
+  if (written.problem) json["problem_of_rounding"] = to_json(*written.problem);
   return json;
 }
 
@@ -57,6 +58,11 @@ void report(const std::string& command, const std::vector<std::string>& inputs,
   for (const Written& output : outputs)
     if (output.solid.is_empty())
       std::cerr << "sectile: " << output.file << ": the result is empty\n";
+  for (const Written& output : outputs)
+    if (output.problem)
+      std::cerr << "sectile: " << output.file
+                << ": was written, but rounding its points made it not a legal solid: "
+                << in_words(*output.problem) << "; compute on from the operands instead\n";
   if (options.json) return;
   std::ostream& out = uses_standard_output(names) ? std::cerr : std::cout;
   for (const Written& output : outputs) out << in_words(output) << '\n';

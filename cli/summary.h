@@ -1,6 +1,7 @@
 // What is said about solids that were read or written, for people and for programs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Written {
   Solid solid;
   std::size_t triangles = 0;
   std::size_t degenerate_triangles = 0;
+  std::optional<Problem> problem;  ///< that rounding made: the file is not a legal solid
 };
 std::string in_words(const Written& written);
 Json to_json(const Written& written);

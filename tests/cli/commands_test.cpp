@@ -221,5 +221,21 @@ TEST_F(Commands, TrianglesThatRoundingFlattensAreCounted) {
             8);
 }
 
+TEST_F(Commands, FilesThatRoundingSpoilsAreTold) {
+  // The apex stands on one side of the base, and its floats on the other.
+  write("flat.obj",
+        "v 1 0 0\nv 0 1 0\nv 0 0 1\nv 0.1 0.2 0.7000000001\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  EXPECT_EQ(run({"check", "flat.obj"}).code, 0);
+  const Ended ended = run({"convert", "flat.obj", "-o", "t.stl", "--validate"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_NE(ended.err.find("t.stl: was written, but rounding"), std::string::npos) << ended.err;
+  const Json json = Json::parse(
+      run({"convert", "flat.obj", "-o", "t.stl", "--validate", "--json"}).out, nullptr, false);
+  ASSERT_FALSE(json.is_discarded());
+  EXPECT_EQ(json["outputs"][0]["problem_of_rounding"]["reason"], "inside_out");
+  EXPECT_EQ(run({"check", "t.stl"}).code, 1);
+  EXPECT_EQ(run({"convert", "flat.obj", "-o", "t.off", "--validate"}).err, "");
+}
+
 }  // namespace
 }  // namespace sectile::test
