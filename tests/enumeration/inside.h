@@ -2,6 +2,8 @@
 // Exact when the coordinates are small multiples of a power of two, as those of lattice solids are.
 #pragma once
 
+#include <tuple>
+
 #include "sectile/mesh.h"
 
 namespace sectile::test {
@@ -10,10 +12,14 @@ namespace sectile::test {
 /// ε² in z, so that it meets no edge. The mesh consists of triangles.
 inline bool is_inside(const PolygonMesh& mesh, const Vec3& p) {
   // Which side of the line from u to v, seen along x, the ray is on.
-  const auto side = [&](const Vec3& u, const Vec3& v) {
+  const auto ascending = [&](const Vec3& u, const Vec3& v) {
     const double y = v.y - u.y, z = v.z - u.z;
     const double turn = y * (p.z - u.z) - z * (p.y - u.y);
     return turn != 0 ? turn : z != 0 ? -z : y;
+  };
+  // Rounding must not decide differently for the two triangles at an edge.
+  const auto side = [&](const Vec3& u, const Vec3& v) {
+    return std::tie(u.x, u.y, u.z) < std::tie(v.x, v.y, v.z) ? ascending(u, v) : -ascending(v, u);
   };
   bool inside = false;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
