@@ -99,7 +99,8 @@ void MarkDrawer::draw_edges(const View& view, bool hidden) {
     float strength =
         hidden ? 0.2f * smooth_step(8, 40, pixels) : 0.07f + 0.93f * smooth_step(3, 40, pixels);
     if (!surface.faces) strength = std::max(strength, hidden ? 0.15f : 0.5f);
-    if (strength < 0.02f) continue;
+    // In motion, what is hardly seen is not worth its time.
+    if (strength < (hairlines_only_ ? 0.1f : 0.02f)) continue;
     Stroke stroke{view.picture.surroundings.edge, edge_width, surface.model};
     if (!surface.faces) stroke.colour = glm::vec4(glm::vec3(surface.colour), 1);
     stroke.colour.a *= strength;

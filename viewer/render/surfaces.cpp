@@ -50,8 +50,6 @@ bool SurfaceDrawer::is_drawn(const Surface& surface, Which which) const {
 void SurfaceDrawer::set_place(ShaderProgram& program, const View& view, const Surface& surface,
                               double shift) {
   program.set("model_to_clip", glm::mat4(view.to_clip * surface.model));
-  program.set("normal_to_world",
-              glm::mat3(glm::transpose(glm::inverse(glm::dmat3(surface.model)))));
   program.set("kept_side", view.kept_side(surface.model));
   program.set("depth_shift", static_cast<float>(shift));
   glFrontFace(mirrors(surface.model) ? GL_CW : GL_CCW);
@@ -62,6 +60,8 @@ void SurfaceDrawer::set_look(ShaderProgram& program, const View& view, const Sur
                                ? glm::mix(glm::vec3(surface.colour), glm::vec3(1), 0.18f)
                                : glm::vec3(surface.colour);
   program.set("colour", colour);
+  program.set("normal_to_world",
+              glm::mat3(glm::transpose(glm::inverse(glm::dmat3(surface.model)))));
   program.set("key_light", glm::vec3(view.key_light));
   program.set("alpha", surface.translucent ? surface.colour.a : 1.0f);
   program.set("cut_open", view.picture.section.active && !surface.translucent ? 1 : 0);
