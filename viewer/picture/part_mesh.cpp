@@ -1,5 +1,6 @@
 // Parts of boundaries as surfaces to draw.
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "picture/polygon_ears.h"
@@ -59,20 +60,29 @@ void add_face(SurfaceMesh& surface, const SurfacePart& part, std::uint32_t numbe
   }
 }
 
+// Ascending. Faces do not always share the vertices of a common edge, but its places.
+using Edge = std::array<std::array<double, 3>, 2>;
+
+Edge edge_between(const Vec3& from, const Vec3& to) {
+  Edge edge{{{from.x, from.y, from.z}, {to.x, to.y, to.z}}};
+  std::sort(edge.begin(), edge.end());
+  return edge;
+}
+
 void add_hard_edges(SurfaceMesh& surface, const SurfacePart& part) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> faces_of_edge;
-  for (std::uint32_t number = 0; number < part.faces.size(); ++number) {
-    for (const auto& loop : part.faces[number].loops) {
+  std::map<Edge, std::vector<FaceSource>> sources_along;
+  for (const SurfacePart::Face& face : part.faces) {
+    for (const auto& loop : face.loops) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        const std::uint32_t from = loop[i], to = loop[(i + 1) % loop.size()];
-        faces_of_edge[{std::min(from, to), std::max(from, to)}].push_back(number);
+        const Edge edge =
+            edge_between(part.positions[loop[i]], part.positions[loop[(i + 1) % loop.size()]]);
+        sources_along[edge].push_back(face.source);
       }
     }
   }
-  for (const auto& [edge, faces] : faces_of_edge) {
-    if (faces.size() == 2 && part.faces[faces[0]].source == part.faces[faces[1]].source) continue;
-    surface.hard_edges.emplace_back(to_glm(part.positions[edge.first]));
-    surface.hard_edges.emplace_back(to_glm(part.positions[edge.second]));
+  for (const auto& [edge, sources] : sources_along) {
+    if (sources.size() == 2 && sources[0] == sources[1]) continue;
+    for (const auto& [x, y, z] : edge) surface.hard_edges.emplace_back(glm::dvec3(x, y, z));
   }
 }
 

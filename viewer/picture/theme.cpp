@@ -59,7 +59,7 @@ Theme dark() {
   t.surroundings.background_top = hex(0x2b3038);
   t.surroundings.background_bottom = hex(0x16191d);
   t.surroundings.grid = hex(0x8b97a5, 0.32f);
-  t.surroundings.edge = hex(0x0b0d10);
+  t.surroundings.edge = hex(0xdfe5ec);
   t.result = hex(0xb9bec6);
   t.neutral = hex(0x98a1ac);
   t.coincident = hex(0xffffff);

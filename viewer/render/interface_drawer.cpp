@@ -89,8 +89,9 @@ void InterfaceDrawer::draw_command(const ImDrawData& interface, const ImDrawCmd&
   if (right <= left || bottom <= top) return;
   glScissor(static_cast<GLint>(left), static_cast<GLint>(static_cast<float>(frame_height) - bottom),
             static_cast<GLsizei>(right - left), static_cast<GLsizei>(bottom - top));
-  glBindTexture(GL_TEXTURE_2D,
-                static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
+  // Commands of the frame before the first upload do not know the texture's name yet.
+  const auto texture = static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
+  glBindTexture(GL_TEXTURE_2D, texture ? texture : font_texture_.id());
   glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
                            sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
                            offset(command.IdxOffset * sizeof(ImDrawIdx)),

@@ -20,6 +20,18 @@ float smooth_step(double low, double high, double x) {
   return static_cast<float>(t * t * (3 - 2 * t));
 }
 
+float strength_of(EdgePlace place, double pixels) {
+  switch (place) {
+    case EdgePlace::behind_faces:
+      return 0.13f * smooth_step(8, 40, pixels);
+    case EdgePlace::inside_translucent:
+      return 0.32f * smooth_step(8, 40, pixels);
+    case EdgePlace::in_front:
+      break;
+  }
+  return 0.07f + 0.93f * smooth_step(3, 40, pixels);
+}
+
 // How long the hard edges of a surface are on the screen, on average.
 double edge_pixels(const View& view, const Surface& surface, const MeshBuffers& buffers) {
   const glm::dvec3 centre(surface.model * glm::dvec4(surface.mesh->bounds.centre(), 1));
@@ -63,13 +75,13 @@ void MarkDrawer::draw_hidden(const View& view) {
   glDepthMask(GL_FALSE);
   // Behind opaque faces: edges very faint, and what is to be seen through everything.
   glDepthFunc(GL_GREATER);
-  if (!hairlines_only_) draw_edges(view, true);
+  if (!hairlines_only_) draw_edges(view, EdgePlace::behind_faces);
   draw_lines(view, 0, 0.35f);
   draw_points(view, true);
   // Inside translucent bodies; what lies in front of them is drawn again over this.
   if (has_translucent_) {
     glDepthFunc(GL_LEQUAL);
-    if (!hairlines_only_) draw_edges(view, true);
+    if (!hairlines_only_) draw_edges(view, EdgePlace::inside_translucent);
     draw_lines(view, 0.6f, 0.6f);
     draw_points(view, true);
   }
@@ -81,7 +93,7 @@ void MarkDrawer::draw_visible(const View& view) {
   glEnable(GL_BLEND);
   glDepthMask(GL_FALSE);
   glDepthFunc(GL_LEQUAL);
-  draw_edges(view, false);
+  draw_edges(view, EdgePlace::in_front);
   draw_lines(view, 1, 1);
   draw_points(view, false);
   glDepthFunc(GL_LESS);
@@ -89,16 +101,15 @@ void MarkDrawer::draw_visible(const View& view) {
   glDisable(GL_BLEND);
 }
 
-void MarkDrawer::draw_edges(const View& view, bool hidden) {
+void MarkDrawer::draw_edges(const View& view, EdgePlace place) {
   for (const Surface& surface : view.picture.surfaces) {
     if (!surface.mesh || !surface.edges) continue;
     const MeshBuffers& buffers = meshes_.buffers(surface.mesh);
     if (buffers.edge_ends == 0) continue;
     // Edges that crowd would only darken the picture.
     const double pixels = edge_pixels(view, surface, buffers);
-    float strength =
-        hidden ? 0.2f * smooth_step(8, 40, pixels) : 0.07f + 0.93f * smooth_step(3, 40, pixels);
-    if (!surface.faces) strength = std::max(strength, hidden ? 0.15f : 0.5f);
+    float strength = strength_of(place, pixels);
+    if (!surface.faces) strength = std::max(strength, place == EdgePlace::in_front ? 0.5f : 0.15f);
     // In motion, what is hardly seen is not worth its time.
     if (strength < (hairlines_only_ ? 0.1f : 0.02f)) continue;
     Stroke stroke{view.picture.surroundings.edge, edge_width, surface.model};

@@ -7,6 +7,9 @@
 
 namespace sectile::viewer {
 
+/// Where an edge lies as seen by the camera.
+enum class EdgePlace { behind_faces, inside_translucent, in_front };
+
 class MarkDrawer {
  public:
   explicit MarkDrawer(MeshCache& meshes);
@@ -35,7 +38,7 @@ class MarkDrawer {
     float width = 1;
     glm::dmat4 model{1};
   };
-  void draw_edges(const View& view, bool hidden);
+  void draw_edges(const View& view, EdgePlace place);
   void draw_lines(const View& view, float strength, float on_top_strength);
   void draw_points(const View& view, bool hidden);
   void draw_segments(const View& view, GLuint texture, GLsizei ends, const Stroke& stroke);

@@ -2,12 +2,10 @@
 #include <stb_image.h>
 #include <stb_image_write.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "render/renderer.h"
+#include "sectile/files.h"
 
 namespace sectile::viewer {
 namespace {
@@ -16,16 +14,6 @@ void append(void* bytes, void* data, int size) {
   auto& target = *static_cast<std::vector<char>*>(bytes);
   const char* start = static_cast<const char*>(data);
   target.insert(target.end(), start, start + size);
-}
-
-// Beside the final file, so that it can take its name in one step.
-std::filesystem::path temporary_beside(const std::filesystem::path& path) {
-  std::string name = (path.parent_path() / ".sectile-XXXXXX").string();
-  const int file = mkstemp(name.data());
-  if (file < 0) throw std::runtime_error("cannot write into the folder of " + path.string());
-  std::FILE* opened = fdopen(file, "wb");
-  if (opened) std::fclose(opened);
-  return name;
 }
 
 }  // namespace
@@ -40,22 +28,7 @@ void write_png(const std::string& path, const Image& image) {
                               image.width * 4))
     throw std::runtime_error("cannot make a PNG for " + path);
 
-  const std::filesystem::path temporary = temporary_beside(path);
-  std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  std::error_code error;
-  if (out) {
-    using std::filesystem::perms;
-    std::filesystem::permissions(
-        temporary, perms::owner_read | perms::owner_write | perms::group_read | perms::others_read,
-        error);
-    std::filesystem::rename(temporary, path, error);
-  }
-  if (!out || error) {
-    std::filesystem::remove(temporary, error);
-    throw std::runtime_error("cannot write " + path);
-  }
+  write_whole(path, {bytes.data(), bytes.size()});
 }
 
 Image read_png(const std::string& path) {

@@ -65,7 +65,7 @@ Window::Window(const std::string& title, int width, int height, float scale)
     throw;
   }
   glfwSwapInterval(1);
-  collect_events(window_, input_, *this);
+  collect_events(window_, input_, damaged_, *this);
 }
 
 Window::~Window() {
@@ -112,6 +112,10 @@ void Window::wait(double seconds) {
 
 Input Window::take_input() {
   return std::exchange(input_, Input{});
+}
+
+bool Window::take_damage() {
+  return std::exchange(damaged_, false);
 }
 
 bool Window::is_minimised() const {

@@ -29,6 +29,8 @@ class Window final : public TurnTakingContext {
   /// The events since the last call. Closing is an event: the window stays until it is destroyed.
   Input take_input();
   bool is_minimised() const;
+  /// Whether the window was uncovered or resized since the last call: it must be drawn again.
+  bool take_damage();
 
   void set_title(const std::string& title);
   /// A value of ImGuiMouseCursor.
@@ -48,6 +50,7 @@ class Window final : public TurnTakingContext {
 
   GLFWwindow* window_ = nullptr;
   Input input_;
+  bool damaged_ = true;
   float forced_scale_ = 0;
   int cursor_ = 0;
   void* cursors_[9] = {};  // GLFWcursor, by ImGuiMouseCursor

@@ -12,6 +12,7 @@ namespace {
 
 struct Collector {
   Input* input = nullptr;
+  bool* damaged = nullptr;
   const GraphicsContext* context = nullptr;
 };
 
@@ -177,8 +178,13 @@ void on_close(GLFWwindow* window) {
 
 }  // namespace
 
-void collect_events(GLFWwindow* window, Input& input, const GraphicsContext& context) {
-  collector = {&input, &context};
+void collect_events(GLFWwindow* window, Input& input, bool& damaged,
+                    const GraphicsContext& context) {
+  collector = {&input, &damaged, &context};
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow*) { *collector.damaged = true; });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow*, int, int) { *collector.damaged = true; });
+  glfwSetWindowContentScaleCallback(window,
+                                    [](GLFWwindow*, float, float) { *collector.damaged = true; });
   glfwSetCursorPosCallback(window, on_move);
   glfwSetMouseButtonCallback(window, on_button);
   glfwSetScrollCallback(window, on_scroll);

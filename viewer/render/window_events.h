@@ -8,7 +8,9 @@ struct GLFWwindow;
 
 namespace sectile::viewer {
 
-/// From now on events of the window are appended to `input`. All three must outlive the window.
-void collect_events(GLFWwindow* window, Input& input, const GraphicsContext& context);
+/// From now on events of the window are appended to `input`, and `damaged` is set when
+/// the window must be drawn again. All must outlive the window.
+void collect_events(GLFWwindow* window, Input& input, bool& damaged,
+                    const GraphicsContext& context);
 
 }  // namespace sectile::viewer
