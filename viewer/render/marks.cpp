@@ -29,7 +29,7 @@ float strength_of(EdgePlace place, double pixels) {
     case EdgePlace::in_front:
       break;
   }
-  return 0.07f + 0.93f * smooth_step(3, 40, pixels);
+  return smooth_step(3, 32, pixels);
 }
 
 // How long the hard edges of a surface are on the screen, on average.
@@ -110,8 +110,7 @@ void MarkDrawer::draw_edges(const View& view, EdgePlace place) {
     const double pixels = edge_pixels(view, surface, buffers);
     float strength = strength_of(place, pixels);
     if (!surface.faces) strength = std::max(strength, place == EdgePlace::in_front ? 0.5f : 0.15f);
-    // In motion, what is hardly seen is not worth its time.
-    if (strength < (hairlines_only_ ? 0.1f : 0.02f)) continue;
+    if (strength < 0.04f) continue;
     Stroke stroke{view.picture.surroundings.edge, edge_width, surface.model};
     if (!surface.faces) stroke.colour = glm::vec4(glm::vec3(surface.colour), 1);
     stroke.colour.a *= strength;
