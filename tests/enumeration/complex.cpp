@@ -71,6 +71,26 @@ Complex Complex::tetrahedra(int size) {
   return complex;
 }
 
+Complex Complex::fan() {
+  constexpr int x[] = {1, 1, 0, -1, -1, -1, 0, 1};
+  Complex complex;
+  for (std::size_t k = 0; k < 8; ++k) {
+    const std::size_t l = (k + 1) % 8;
+    const auto corner = [&](std::size_t direction, int z) {
+      return Point{x[direction], x[(direction + 6) % 8], z};
+    };
+    const Point p[2][3] = {{{0, 0, 0}, corner(k, 0), corner(l, 0)},
+                           {{0, 0, 1}, corner(k, 1), corner(l, 1)}};
+    complex.add_cell({{p[0][0], p[0][2], p[0][1]},
+                      {p[1][0], p[1][1], p[1][2]},
+                      {p[0][0], p[0][1], p[1][1], p[1][0]},
+                      {p[0][1], p[0][2], p[1][2], p[1][1]},
+                      {p[0][2], p[0][0], p[1][0], p[1][2]}});
+  }
+  complex.connect();
+  return complex;
+}
+
 int Complex::point_number(const Point& p) {
   const auto found = std::find(points_.begin(), points_.end(), p);
   if (found != points_.end()) return static_cast<int>(found - points_.begin());

@@ -39,6 +39,9 @@ class Complex {
   /// highest corner (Kuhn). Neighbouring cubes share the diagonals of their squares.
   static Complex tetrahedra(int size);
 
+  /// Eight prisms around the edge from (0, 0, 0) to (0, 0, 1), each of 45 degrees.
+  static Complex fan();
+
   int cell_count() const { return static_cast<int>(cells_.size()); }
   Mask all() const { return ~Mask{0} >> (64 - cell_count()); }
   const Cell& cell(int i) const { return cells_[static_cast<std::size_t>(i)]; }
