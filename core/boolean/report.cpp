@@ -86,7 +86,6 @@ void report_reduction(const Workspace& w) {
   std::vector<TraceEvent> events;
   for (const Contact& c : w.contacts) {
     TraceEvent& event = events.emplace_back(event_at(w, "contact", c.on, {c.place}));
-    event.facts.push_back({"place", std::to_string(c.place)});
     for (int s = 0; s < 2; ++s) add_sectors(w, s, c.on[s], event.sectors);
   }
   for (const SegmentRecord& r : w.records)

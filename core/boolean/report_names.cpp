@@ -1,7 +1,5 @@
 #include "boolean/report_names.h"
 
-#include <sstream>
-
 namespace sectile {
 namespace {
 
@@ -45,9 +43,9 @@ Entity in_operand(const Patch& patch, Entity entity) {
 }
 
 std::string name_of(const Patch& patch, Entity entity) {
-  std::ostringstream out;
-  out << in_operand(patch, entity);
-  return out.str();
+  constexpr char letters[] = {'v', 'e', 'f', '-'};
+  const Entity known = in_operand(patch, entity);
+  return letters[static_cast<int>(known.kind())] + std::to_string(known.index());
 }
 
 }  // namespace sectile

@@ -79,6 +79,8 @@ Json to_json(const TraceEvent& event, Operation operation) {
   if (!event.b.empty()) json["b"] = event.b;
   add_list(json, "points", event.points);
   for (const auto& [name, value] : event.facts) json["facts"].push_back({name, value});
+  if (event.kind == "contact")
+    json["facts"].push_back({"place", std::to_string(event.places.at(0))});
   if (event.kind == "neighborhood") {
     for (const TraceHalfPlane& h : event.half_planes)
       json["facts"].push_back({"half-plane", describe(h)});

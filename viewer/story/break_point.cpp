@@ -12,9 +12,11 @@ bool is_entity(const std::string& word) {
 }
 
 bool has_word(const std::string& words, const std::string& word) {
-  std::istringstream in(words);
-  for (std::string w; in >> w;)
-    if (w == word) return true;
+  for (std::size_t at = words.find(word); at != std::string::npos; at = words.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' '))
+      return true;
+  }
   return false;
 }
 

@@ -126,14 +126,12 @@ void tell_part(const StoryRecord& record, const TraceEvent& event, Step& step) {
 void tell_wedge(const StoryRecord& record, const TraceEvent& event, Step& step) {
   const std::string between(event.fact("between"));
   const bool one_solid = event.a.empty() || event.b.empty();
-  const bool glued = event.fact("glued") == "yes";
   step.title = "wedge between " + between;
   step.words = "Around the segment between places " + std::to_string(event.places[0]) + " and " +
                std::to_string(event.places[1]) + " " + between +
-               " bound one wedge of the material of " + formula(record.operation) + ". ";
-  step.words += glued ? "They are glued along the segment, and the wedge gets an edge of its own."
-                      : "Nothing was cut between them, so that there is nothing to glue.";
-  if (one_solid && glued)
+               " bound one wedge of the material of " + formula(record.operation) +
+               ". They are glued along the segment, and the wedge gets an edge of its own.";
+  if (one_solid)
     step.words += std::string(" Both come from ") + (event.a.empty() ? "B" : "A") +
                   ": the wedge parts from others that touch it here.";
   step.columns = {"solid", "face", "class", "reclassified", "becomes"};

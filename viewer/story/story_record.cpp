@@ -100,8 +100,7 @@ class Specials {
     if (event.kind == "neighborhood") return !is_plain_crossing(event);
     if (event.kind == "null edge") return !is_plain_null_edge(event);
     if (event.kind == "cut") return (event.a + event.b)[0] != 'f';
-    if (event.kind == "wedge")
-      return event.fact("glued") == "yes" && (event.a.empty() || event.b.empty());
+    if (event.kind == "wedge") return event.a.empty() || event.b.empty();
     return false;
   }
 
@@ -128,7 +127,10 @@ class Recorder : public Observer {
   explicit Recorder(StoryRecord& record) : record_(record) {}
 
   void phase_done(Phase phase, const std::vector<TraceEvent>& events) override {
+    record_.events.reserve(record_.events.size() + events.size());
     for (const TraceEvent& event : events) {
+      // Pieces that nothing was cut between stay as they are.
+      if (event.kind == "wedge" && event.fact("glued") != "yes") continue;
       record_.steps.push_back({phase, static_cast<std::uint32_t>(record_.events.size()), false});
       record_.events.push_back(event);
     }
