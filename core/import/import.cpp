@@ -147,7 +147,7 @@ std::shared_ptr<const SolidData> import_view(const SoupView& soup) {
   data->origin = new_origin();
   BrepBuilder(polygons, mate, data->brep).run(data->origin);
   pin_flat_edges(data->brep, data->geometry, kernel);
-  check_orientation(data->brep, data->geometry);
+  check_orientation(*data, kernel);
   return data;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "import/nesting.h"
 #include "numbers/dyadic.h"
 #include "search/box.h"
 #include "sectile/errors.h"
@@ -46,8 +47,8 @@ struct Enclosed {
 
 class ShellVolumes {
  public:
-  ShellVolumes(const Brep& brep, const Geometry& geometry)
-      : brep_(brep), geometry_(geometry), shells_(find_shells(brep)), volumes_(shells_.count) {}
+  ShellVolumes(const Brep& brep, const Geometry& geometry, const Shells& shells)
+      : brep_(brep), geometry_(geometry), shells_(shells), volumes_(shells.count) {}
 
   std::vector<Enclosed> run() {
     for (std::size_t f = brep_.face_count(); f-- > 0;) {
@@ -123,43 +124,52 @@ class ShellVolumes {
 
   const Brep& brep_;
   const Geometry& geometry_;
-  Shells shells_;
+  const Shells& shells_;
   std::vector<Enclosed> volumes_;
 };
 
-double extent(const Bounds& b) {
-  return std::max({b.high.x - b.low.x, b.high.y - b.low.y, b.high.z - b.low.z});
+// A face of the shell that is not parallel to the x axis.
+FaceId oblique_face(const SolidData& data, const Kernel& kernel, const Shells& shells,
+                    std::uint32_t shell, std::uint32_t first) {
+  for (std::size_t f = first; f < data.brep.face_count(); ++f)
+    if (shells.of_face[f] == shell && kernel.normal(data.brep.plane[f], 0) != Sign::zero)
+      return FaceId(f);
+  throw InternalError("a shell has no extent in the plane across an axis");
 }
 
-bool contains(const Bounds& a, const Bounds& b) {
-  return a.low.x <= b.low.x && a.low.y <= b.low.y && a.low.z <= b.low.z && b.high.x <= a.high.x &&
-         b.high.y <= a.high.y && b.high.z <= a.high.z;
+void refuse_inside_out(std::uint32_t face) {
+  throw InvalidSolid(InvalidSolid::Reason::inside_out,
+                     "the shell with face " + std::to_string(face) +
+                         " is inside out where it lies; turn all its faces around",
+                     face);
 }
 
 }  // namespace
 
-void check_orientation(const Brep& brep, const Geometry& geometry) {
-  using Reason = InvalidSolid::Reason;
-  const std::vector<Enclosed> shells = ShellVolumes(brep, geometry).run();
-  // The largest first: what is around many others is found at once.
-  std::vector<const Bounds*> outwards;
-  for (const Enclosed& v : shells)
-    if (v.sign == Sign::positive) outwards.push_back(&v.bounds);
-  std::sort(outwards.begin(), outwards.end(),
-            [](const Bounds* a, const Bounds* b) { return extent(*a) > extent(*b); });
-  for (const Enclosed& v : shells) {
-    const std::uint32_t face = brep.source[v.face].face;
+void check_orientation(const SolidData& data, const Kernel& kernel) {
+  const Shells shells = find_shells(data.brep);
+  const std::vector<Enclosed> volumes = ShellVolumes(data.brep, data.geometry, shells).run();
+  for (const Enclosed& v : volumes) {
+    const std::uint32_t face = data.brep.source[v.face].face;
     if (v.sign == Sign::zero)
       throw InvalidSolid(
-          Reason::self_intersecting,
+          InvalidSolid::Reason::self_intersecting,
           "the shell with face " + std::to_string(face) + " encloses no volume; remove it", face);
-    if (v.sign == Sign::negative &&
-        std::none_of(outwards.begin(), outwards.end(),
-                     [&](const Bounds* around) { return contains(*around, v.bounds); }))
-      throw InvalidSolid(Reason::inside_out,
-                         "the shell with face " + std::to_string(face) +
-                             " is inside out and in no other shell; turn all its faces around",
-                         face);
+    if (v.sign == Sign::negative && shells.count == 1) refuse_inside_out(face);
+  }
+  if (shells.count == 1) return;
+  for (std::uint32_t s = 0; s < shells.count; ++s) {
+    const std::uint32_t first = volumes[s].face, face = data.brep.source[first].face;
+    const int material =
+        material_outside(data, kernel, oblique_face(data, kernel, shells, s, first));
+    if (material < 0) refuse_inside_out(face);
+    if (material > 0)
+      throw InvalidSolid(
+          InvalidSolid::Reason::self_intersecting,
+          "the shell with face " + std::to_string(face) +
+              " lies in the material of another one, or they cross; make two solids of them and "
+              "unite them",
+          face);
   }
 }
 

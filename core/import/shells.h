@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/geometry.h"
-#include "topology/brep.h"
+#include "geometry/kernel.h"
+#include "search/solid_data.h"
 
 namespace sectile {
 
@@ -17,8 +17,8 @@ struct Shells {
 /// Faces are connected over edges.
 Shells find_shells(const Brep& brep);
 
-/// Refuses a solid whose material would be infinite: each shell that is turned inwards must have
-/// another one around it. All points must be explicit.
-void check_orientation(const Brep& brep, const Geometry& geometry);
+/// Refuses shells that are not nested as those of a solid are: from outside, the first is turned
+/// outwards, those within it inwards, and so on. All points must be explicit.
+void check_orientation(const SolidData& data, const Kernel& kernel);
 
 }  // namespace sectile

@@ -111,6 +111,28 @@ TEST(ImportRefusal, AShellInsideOutBesideALargerOne) {
                  {Reason::inside_out, 6, no_element, {"face 6"}});
 }
 
+TEST(ImportRefusal, AShellInsideOutInTheNotchOfAnother) {
+  // In the box of the first shell, but not in its material.
+  expect_refused(joined(cell_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
+                        turned_over(cube_mesh({1.25, 1.25, 0.25}, 0.5))),
+                 {Reason::inside_out, 14, no_element, {"face 14"}});
+}
+
+TEST(ImportRefusal, AVoidInAVoid) {
+  expect_refused(joined(joined(cube_mesh({0, 0, 0}, 9), turned_over(cube_mesh({1, 1, 1}, 7))),
+                        turned_over(cube_mesh({2, 2, 2}, 5))),
+                 {Reason::inside_out, 12, no_element, {"face 12"}});
+}
+
+TEST(ImportRefusal, MaterialInMaterial) {
+  expect_refused(joined(cube_mesh({0, 0, 0}, 9), cube_mesh({1, 1, 1}, 7)),
+                 {Reason::self_intersecting, 6, no_element, {"face 6", "unite"}});
+}
+
+TEST(ImportRefusal, ShellsOnEachOther) {
+  EXPECT_THROW(Solid::from_mesh(joined(cube_mesh(), cube_mesh({0, 0, 1}))), InvalidSolid);
+}
+
 TEST(ImportRefusal, AThinShellInsideOut) {
   // Its volume is far below the rounding error of a sum in doubles.
   PolygonMesh mesh = cube_mesh({1e6, 1e6, 1e6});
