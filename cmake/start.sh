@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and computes the first figures of the paper and Booleans of
-# real meshes into out/.
+# Installs what is missing, builds, computes figures of the paper and Booleans of real meshes into
+# out/, and opens the modeller with a sample scene; without a display it draws the scene into a PNG.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 cmake/setup.sh build
 cmake --preset release
-cmake --build --preset release --target sectile_cli
+cmake --build --preset release --target sectile_cli sectile_viewer
 
 sectile=build/cli/sectile
 scenes=assets/scenes
@@ -32,3 +32,15 @@ done
 echo
 echo "Made:"
 ls -l "${made[@]}"
+
+viewer=build/viewer/program/sectile-viewer
+scene=(--sample fig01)
+if [[ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]]; then
+  echo
+  echo "The modeller opens; close its window to go on."
+  "$viewer" "${scene[@]}"
+else
+  echo
+  echo "There is no display, so the modeller's window is drawn into a file:"
+  "$viewer" "${scene[@]}" --size 1280x800 --screenshot out/sectile-viewer.png
+fi

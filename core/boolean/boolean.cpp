@@ -2,6 +2,7 @@
 #include "sectile/boolean.h"
 
 #include "boolean/cleanup.h"
+#include "boolean/complement.h"
 #include "boolean/components.h"
 #include "boolean/face_parts.h"
 #include "boolean/gluing.h"
@@ -87,7 +88,7 @@ Solid boolean(const Solid& a, const Solid& b, Operation operation, const Boolean
   try {
     Workspace w(options);
     FacePairs pairs;
-    load(w, *a.data(), *b.data(), pairs);
+    load(w, *a.data(), operation == Operation::subtract ? reversible(*b.data()) : *b.data(), pairs);
     const Operation wanted[] = {operation};
     cut(w, pairs, wanted);
     return assemble(w, operation, 0);

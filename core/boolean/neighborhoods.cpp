@@ -163,7 +163,7 @@ class SegmentBuilder {
     for (std::uint32_t i = 0; i < planes.size(); ++i)
       if (kept(operation, planes[i].solid, planes[i].cls)) kept_planes.push_back(i);
     const auto starts_material = [&](std::uint32_t i) {
-      return planes[i].forward == reversed(operation, planes[i].solid);
+      return (planes[i].forward == reversed(operation, planes[i].solid)) != w_.of_complement;
     };
     const std::size_t count = kept_planes.size();
     std::vector<std::uint32_t> partner(planes.size(), no_element);

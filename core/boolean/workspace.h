@@ -14,6 +14,7 @@ struct Workspace {
   explicit Workspace(const BooleanOptions& o) : options(o) {}
 
   const BooleanOptions& options;
+  bool of_complement = false;  ///< wedges are those of the result's complement
   Geometry geometry;
   std::unique_ptr<Kernel> kernel;
   Patch patch[2];

@@ -7,4 +7,15 @@ const FaceTree& SolidData::tree() const {
   return *tree_;
 }
 
+bool SolidData::touches_itself() const {
+  std::call_once(touches_once_, [this] {
+    std::vector<bool> seen(geometry.positions.size());
+    for (const PointId p : brep.point) {
+      if (seen[p.value()]) touches_itself_ = true;
+      seen[p.value()] = true;
+    }
+  });
+  return touches_itself_;
+}
+
 }  // namespace sectile

@@ -47,15 +47,12 @@ std::string fault_of_closure(const PolygonMesh& mesh) {
   return {};
 }
 
-std::string fault(const Solid& solid, const Complex& complex, Mask wanted, bool geometry,
-                  bool shells) {
+std::string fault(const Solid& solid, const Complex& complex, Mask wanted, bool geometry) {
   if (const std::string what = fault_of_measures(solid, complex, wanted); !what.empty())
     return what;
   if (const auto violations = validate(solid, geometry); !violations.empty())
     return violations.front().what;
-  if (shells)
-    if (const std::string what = fault_of_shells(solid, complex, wanted); !what.empty())
-      return what;
+  if (const std::string what = fault_of_shells(solid, complex, wanted); !what.empty()) return what;
   const PolygonMesh mesh = solid.to_mesh();
   if (const std::string what = fault_of_closure(mesh); !what.empty()) return what;
   for (int c = 0; c < complex.cell_count(); ++c)

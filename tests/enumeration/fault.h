@@ -12,10 +12,8 @@ namespace sectile::test {
 
 /// Empty if the solid is legal (with `geometry`, its faces are also tested against each other),
 /// has exactly the volume and, up to the rounding of square roots, the area, contains exactly the
-/// cells of the set, and, with `shells`, has as many shells and handles as wedges of material on
-/// their own give. (A solid that was taken away keeps its own wedges where it touched itself.)
-std::string fault(const Solid& solid, const Complex& complex, Mask wanted, bool geometry,
-                  bool shells = true);
+/// cells of the set, and has as many shells and handles as wedges of material on their own give.
+std::string fault(const Solid& solid, const Complex& complex, Mask wanted, bool geometry);
 
 /// Empty if the triangles are closed: over each directed edge as often one way as the other.
 std::string fault_of_closure(const PolygonMesh& mesh);

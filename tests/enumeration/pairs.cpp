@@ -26,7 +26,7 @@ std::string fault_of(const PairCheck& check, const Solid& a, const Solid& b, con
                      Operation operation) {
   try {
     return fault(boolean(a, b, operation), check.complex, combined(pair.a, pair.b, operation),
-                 check.geometry, operation != Operation::subtract);
+                 check.geometry);
   } catch (const Error& error) {
     return error.what();
   }

@@ -59,5 +59,7 @@ void find_places(Workspace& w);
 void find_segments(Workspace& w, const ContactTable& table);
 /// Divides the segments at all places within them.
 void split_at_places(Workspace& w);
+/// Adds faces in which an operand touches itself along a segment.
+void add_touched_faces(Workspace& w, const ContactTable& table);
 
 }  // namespace sectile

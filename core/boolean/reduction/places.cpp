@@ -32,6 +32,11 @@ void find_places(Workspace& w) {
     if (w.geometry.is_explicit(contact.point)) w.places[place] = contact.point;
     contact.place = static_cast<std::uint32_t>(place);
   }
+  // Vertices at one place share one point from now on.
+  for (const Contact& contact : w.contacts)
+    for (int s = 0; s < 2; ++s)
+      if (contact.on[s].is_vertex())
+        w.patch[s].brep.point[contact.on[s].vertex().value()] = w.places[contact.place];
 }
 
 }  // namespace sectile

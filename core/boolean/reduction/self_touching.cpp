@@ -1,0 +1,100 @@
+// An operand may touch itself: one of its edges lies in one of its faces. Where that face is flush
+// with a face of the other operand, no test of a pair has seen that it holds the edge's segments.
+#include <algorithm>
+
+#include "boolean/collect.h"
+#include "boolean/face_location.h"
+#include "boolean/line.h"
+#include "boolean/reduction/contact_table.h"
+#include "boolean/reduction/standing.h"
+
+namespace sectile {
+namespace {
+
+class TouchedFaces {
+ public:
+  TouchedFaces(const Workspace& w, int s) : w_(w), kernel_(w.tests()), s_(s) {
+    for (std::uint32_t i = 0; i < w.records.size(); ++i)
+      if (w.records[i].on[s].is_edge() && w.records[i].on[1 - s].is_face()) order_.push_back(i);
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](std::uint32_t i, std::uint32_t j) { return face(i) < face(j); });
+  }
+
+  void operator()(const PairOfFaces& pair, std::vector<SegmentRecord>& out) const {
+    const FaceId mine = pair.face[s_], other = pair.face[1 - s_];
+    auto i = std::partition_point(order_.begin(), order_.end(),
+                                  [&](std::uint32_t r) { return face(r) < other; });
+    for (; i != order_.end() && face(*i) == other; ++i)
+      if (!borders(w_.records[*i].on[s_].edge(), mine) && is_near(w_.records[*i], mine))
+        add(w_.records[*i], mine, out);
+  }
+
+ private:
+  const Patch& patch() const { return w_.patch[s_]; }
+  FaceId face(std::uint32_t record) const { return w_.records[record].on[1 - s_].face(); }
+  bool borders(EdgeId e, FaceId f) const {
+    const Brep& brep = patch().brep;
+    return brep.face_of(Brep::half_edge(e, 0)) == f || brep.face_of(Brep::half_edge(e, 1)) == f;
+  }
+  bool is_near(const SegmentRecord& record, FaceId f) const {
+    if (patch().unbounded) return false;
+    Bounds bounds;
+    for (const std::uint32_t place : record.place)
+      bounds.add(w_.geometry.position(w_.point(place)));
+    return patch().face_boxes[f.value()].overlaps(bounds.box());
+  }
+
+  void add(const SegmentRecord& known, FaceId f, std::vector<SegmentRecord>& out) const {
+    const Direction along = direction(known, patch().plane(f));
+    const Standing from = at(known.place[0], f, along);
+    if (from.where == Standing::Where::outside) return;
+    SegmentRecord record = known;
+    record.on[s_] =
+        from.where == Standing::Where::inside ? Entity(f) : Entity(Brep::edge_of(from.half_edge));
+    record.end[s_][0] = from.entity;
+    record.end[s_][1] = at(known.place[1], f, -along).entity;
+    out.push_back(record);
+  }
+
+  Direction direction(const SegmentRecord& record, PlaneId plane) const {
+    const auto [a, b] = line_planes(patch(), Brep::half_edge(record.on[s_].edge()));
+    const PlaneId across = kernel_.parallel(plane, a) ? b : a;
+    const int axis = kernel_.cross_axis(plane, across);
+    const Sign sign = kernel_.compare(w_.point(record.place[0]), w_.point(record.place[1]), axis);
+    return {across, sign * kernel_.cross(plane, across, axis)};
+  }
+
+  Standing at(std::uint32_t place, FaceId f, Direction along) const {
+    std::vector<Entity> found;
+    locate(kernel_, patch(), f, Probe(kernel_, w_.point(place)), found);
+    if (found.empty()) return {Standing::Where::outside, {}, {}};
+    std::vector<BoundaryItem> items;
+    for (const Entity entity : found) add_items(patch(), f, entity, items);
+    std::sort(items.begin(), items.end());
+    return standing(kernel_, patch(), f, items, along);
+  }
+
+  const Workspace& w_;
+  const Kernel& kernel_;
+  int s_;
+  std::vector<std::uint32_t> order_;  // records of edges in faces, by face
+};
+
+}  // namespace
+
+void add_touched_faces(Workspace& w, const ContactTable& table) {
+  using Records = std::vector<SegmentRecord>;
+  std::vector<PairOfFaces> flush;
+  for (const PairOfFaces& pair : table.pairs)
+    if (pair.coplanar) flush.push_back(pair);
+  Records found;
+  for (int s = 0; s < 2; ++s) {
+    const TouchedFaces touched(w, s);
+    for (const Records& r : collect<Records>(
+             flush.size(), 64, [&](std::size_t i, Records&out) { touched(flush[i], out); }))
+      append(found, r);
+  }
+  append(w.records, found);
+}
+
+}  // namespace sectile
