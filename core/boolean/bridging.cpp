@@ -70,8 +70,17 @@ class Bridging {
       bounds.push_back({-direction_of(kernel_, patch(), before), before, false});
     }
     const Direction start = bounds[0].direction;
+    // In a slit, one half-edge arrives where another one leaves: the face ends there and begins
+    // again, so what arrives comes first, and last of all where the start leaves.
+    const auto closes = [&](const Bound& b) {
+      return !b.leaves && turn(kernel_, plane, start, b.direction) == Sign::zero &&
+             same_way(kernel_, plane, start, b.direction);
+    };
     std::stable_sort(bounds.begin() + 1, bounds.end(), [&](const Bound& p, const Bound& q) {
-      return before_counter_clockwise(kernel_, plane, start, p.direction, q.direction);
+      if (closes(p) != closes(q)) return closes(q);
+      if (before_counter_clockwise(kernel_, plane, start, p.direction, q.direction)) return true;
+      if (before_counter_clockwise(kernel_, plane, start, q.direction, p.direction)) return false;
+      return !p.leaves && q.leaves;
     });
     for (std::size_t i = 0; i < bounds.size(); ++i) {
       const Bound &leaving = bounds[i], &arriving = bounds[i + 1 < bounds.size() ? i + 1 : 0];

@@ -54,7 +54,8 @@ Standing on_edge(const Kernel& kernel, const Patch& patch, PlaneId plane, const 
 }
 
 // With several items, the one next to d clockwise decides: the face lies counter-clockwise of a
-// half-edge that leaves.
+// half-edge that leaves. In a slit, one half-edge arrives where another one leaves: the face ends
+// there and begins again.
 Standing among(const Kernel& kernel, const Patch& patch, PlaneId plane,
                std::span<const BoundaryItem> items, Direction d) {
   struct Bound {
@@ -79,7 +80,8 @@ Standing among(const Kernel& kernel, const Patch& patch, PlaneId plane,
     if (turn(kernel, plane, d, b.direction) == Sign::zero &&
         same_way(kernel, plane, d, b.direction))
       return {Where::along, b.entity, b.h};
-    if (!last || before_counter_clockwise(kernel, plane, d, last->direction, b.direction))
+    if (!last || before_counter_clockwise(kernel, plane, d, last->direction, b.direction) ||
+        (b.leaves && !before_counter_clockwise(kernel, plane, d, b.direction, last->direction)))
       last = &b;
   }
   return {last->leaves ? Where::inside : Where::outside, last->entity, {}};
