@@ -1,10 +1,10 @@
-sectile_test(render_test SOURCES render_test.cpp demo_pictures.cpp
+sectile_test(render_test SOURCES render_test.cpp demo_pictures.cpp leaks.cpp
              LIBRARIES sectile_viewer_render sectile::samples)
 
 # Windows need a display: one that nobody sees. Without -noreset the server restarts between two
 # clients, and now and then refuses the second.
 find_program(XVFB_RUN xvfb-run REQUIRED)
-add_executable(window_test window_test.cpp demo_pictures.cpp)
+add_executable(window_test window_test.cpp demo_pictures.cpp leaks.cpp)
 sectile_target(window_test)
 target_link_libraries(window_test PRIVATE sectile_viewer_render sectile::samples GTest::gtest_main)
 add_test(NAME window_test
@@ -16,4 +16,4 @@ add_executable(render_pictures render_pictures.cpp demo_pictures.cpp)
 sectile_target(render_pictures)
 target_link_libraries(render_pictures PRIVATE sectile_viewer_render sectile::samples)
 
-sectile_test(screenshot_test SOURCES screenshot_test.cpp LIBRARIES sectile_viewer_program)
+sectile_test(screenshot_test SOURCES screenshot_test.cpp leaks.cpp LIBRARIES sectile_viewer_program)

@@ -1,0 +1,6 @@
+// Mesa keeps memory until the process ends; LeakSanitizer is to look at our own only.
+extern "C" const char* __lsan_default_suppressions();
+
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libOSMesa\nleak:libLLVM\nleak:libGLX\nleak:swrast_dri\nleak:libX11\nleak:libglfw\n";
+}
