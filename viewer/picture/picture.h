@@ -72,7 +72,8 @@ struct Surroundings {
   Colour grid{0.55f, 0.58f, 0.62f, 0.55f};
   Colour edge{0.10f, 0.11f, 0.13f, 1};
   Colour outline{0.94f, 0.19f, 0.61f, 1};  ///< around highlighted surfaces
-  Colour axis_x{0.84f, 0.25f, 0.35f, 1}, axis_y{0.31f, 0.62f, 0.21f, 1}, axis_z{0.23f, 0.47f, 0.88f, 1};
+  Colour axis_x{0.84f, 0.25f, 0.35f, 1}, axis_y{0.31f, 0.62f, 0.21f, 1},
+      axis_z{0.23f, 0.47f, 0.88f, 1};
   bool show_grid = true, show_axes = true;
   double grid_step = 1;
 };
