@@ -141,10 +141,11 @@ TEST(SceneComputation, CancelsBetweenSteps) {
     EXPECT_GE(done, 0);
     EXPECT_LE(done, 1);
     last = done;
-    if (done > 0.7) cancel = true;
+    if (done > 0.3) cancel = true;
   };
   EXPECT_THROW(computation.run(scene, &cancel, stop_inside), Cancelled);
-  EXPECT_GT(last, 0.7);
+  EXPECT_GT(last, 0.3);
+  EXPECT_LT(last, 0.5);
   EXPECT_EQ(computation.run(scene, nullptr, {}).find(made)->error, "");
 }
 

@@ -61,7 +61,8 @@ TEST(SceneFile, EverythingComesBackAsItWas) {
   // == takes both zeros for the same.
   for (const NodeId id : back.scene.in_order()) {
     const auto* imported = std::get_if<Imported>(&back.scene.at(id).what);
-    if (imported) EXPECT_TRUE(std::signbit(imported->mesh->positions[0].y));
+    if (!imported) continue;
+    EXPECT_TRUE(std::signbit(imported->mesh->positions[0].y));
   }
   EXPECT_TRUE(std::signbit(back.scene.at(1).placement.position.x));
 }

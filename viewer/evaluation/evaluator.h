@@ -18,6 +18,7 @@ namespace sectile::viewer {
 struct Evaluation {
   struct Entry {
     Solid solid;        ///< in the world; empty for groups that no operation uses
+    Solid inside;       ///< the same in the node's own coordinates
     std::string error;  ///< in words; then there is neither solid nor surface
     /// The boundary to draw and to pick, in the node's own coordinates, so that it stays the same
     /// object while the node is only moved. Null for what is empty, hidden or a group.

@@ -28,7 +28,8 @@ Value value_of(Solid solid, std::size_t faces) {
 
 void SceneComputation::tell(double part_of_current) {
   if (*progress_)
-    (*progress_)((static_cast<double>(steps_done_) + part_of_current) /
+    (*progress_)((static_cast<double>(steps_done_) +
+                  (static_cast<double>(part_) + part_of_current) / static_cast<double>(parts_)) /
                  static_cast<double>(steps_));
   if (cancel_ && *cancel_) throw Cancelled();
 }
@@ -87,8 +88,12 @@ ValuePointer SceneComputation::fold(std::vector<ValuePointer> operands, Operatio
   std::stable_partition(operands.begin() + (operation == Operation::subtract ? 1 : 0),
                         operands.end(), [&](const auto& v) { return !values_.is_new(*v); });
   ValuePointer result = operands.front();
-  for (std::size_t i = 1; i < operands.size() && result->error.empty(); ++i)
+  parts_ = std::max<std::size_t>(1, operands.size() - 1);
+  for (std::size_t i = 1; i < operands.size() && result->error.empty(); ++i) {
+    part_ = i - 1;
     result = combined(result, operands[i], operation);
+  }
+  part_ = 0, parts_ = 1;
   return result;
 }
 
@@ -97,7 +102,6 @@ ValuePointer SceneComputation::operation(const Node& node, Operation operation) 
   ValueKey key('b');
   key.add(operation);
   for (const ValuePointer& operand : operands) key.add(operand->id);
-  ++steps_done_;
   for (std::size_t i = 0; i < operands.size(); ++i)
     if (!operands[i]->error.empty())
       return failed(
@@ -112,7 +116,6 @@ ValuePointer SceneComputation::operation(const Node& node, Operation operation) 
 
 ValuePointer SceneComputation::cut(const Node& node, const SplitNode& split) {
   const std::vector<ValuePointer> operands = placed_children(node);
-  ++steps_done_;
   const HalfSpace& plane = split.plane;
   const auto key_of = [&](bool above) {
     ValueKey key('s');
@@ -153,9 +156,11 @@ ValuePointer SceneComputation::make_inside(const Node& node) {
 }
 
 ValuePointer SceneComputation::inside(const Node& node) {
-  ValuePointer& known = insides_[node.id];
-  if (!known) known = make_inside(node);
-  return known;
+  const ValuePointer known = insides_[node.id];
+  if (known) return known;
+  const ValuePointer made = make_inside(node);
+  if (!node.children.empty()) ++steps_done_;
+  return insides_[node.id] = made;
 }
 
 void SceneComputation::fill(const Node& node, const Transform& world, bool is_shown,
@@ -164,6 +169,7 @@ void SceneComputation::fill(const Node& node, const Transform& world, bool is_sh
   const ValuePointer in_world = placed(value, world);
   entry.error = in_world->error;
   entry.solid = in_world->solid;
+  if (entry.error.empty()) entry.inside = value->solid;
   const bool is_group = std::holds_alternative<Group>(node.what);
   if (is_shown && !is_group && entry.error.empty() && !value->solid.is_empty())
     to_draw_.push_back(value);
@@ -221,8 +227,10 @@ Evaluation SceneComputation::run(const Scene& scene, const std::atomic<bool>* ca
   to_draw_.clear();
   values_.begin();
   values_.mark_all_old();
-  steps_ = scene.size() + 1;
-  steps_done_ = 0;
+  steps_ = 1;  // the surfaces
+  for (const NodeId id : scene.in_order()) steps_ += !scene.at(id).children.empty();
+  steps_done_ = part_ = 0;
+  parts_ = 1;
   Evaluation made;
   for (const NodeId root : scene.roots()) enter(root, Transform(), false, true, made);
   make_surfaces();

@@ -43,7 +43,8 @@ class SceneComputation {
   const std::function<void(double)>* progress_ = nullptr;
   std::map<NodeId, ValuePointer> insides_;  // of the current scene
   std::vector<ValuePointer> to_draw_;
-  std::size_t steps_ = 1, steps_done_ = 0;
+  std::size_t steps_ = 1, steps_done_ = 0;  // nodes with children, and the surfaces
+  std::size_t parts_ = 1, part_ = 0;        // of the current step
 };
 
 }  // namespace sectile::viewer

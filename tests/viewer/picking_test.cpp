@@ -1,0 +1,192 @@
+#include "scene/picking.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <random>
+
+#include "picture/surface_mesh.h"
+#include "scene/snapping.h"
+
+namespace sectile::viewer {
+namespace {
+
+PickTarget target_of(const Solid& solid, NodeId node) {
+  return {node, surface_mesh(solid), glm::dmat4(1)};
+}
+
+TEST(Picker, FindsTheNearestSurface) {
+  Picker picker;
+  std::vector<PickTarget> targets{target_of(block({-1, -1, -1}, {1, 1, 1}), 1),
+                                  target_of(block({-1, -1, 3}, {1, 1, 4}), 2)};
+  const Ray down{{0.25, 0.5, 10}, {0, 0, -1}};
+  auto hit = picker.pick(down, targets);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->node, 2u);
+  EXPECT_EQ(hit->point, glm::dvec3(0.25, 0.5, 4));
+  EXPECT_EQ(hit->normal, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(hit->distance, 6);
+  targets[1].model[3].x = 50;
+  EXPECT_EQ(picker.pick(down, targets)->node, 1u);
+  EXPECT_FALSE(picker.pick({{9, 0, 10}, {0, 0, -1}}, targets));
+  EXPECT_FALSE(picker.pick({{0, 0, 10}, {0, 0, 1}}, targets));
+  const SectionPlane section{true, {0, 0, 1, 0}};  // all above the ground is cut away
+  EXPECT_EQ(picker.pick(down, targets, section)->point.z, -1);
+}
+
+TEST(Picker, AgreesWithAllTriangles) {
+  Picker picker;
+  const std::vector<PickTarget> targets{target_of(torus(2, 0.7, 40, 20), 1)};
+  const SurfaceMesh& mesh = *targets[0].mesh;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-3, 3);
+  int hits = 0;
+  for (int i = 0; i < 500; ++i) {
+    const glm::dvec3 origin{any(random), any(random), 5}, to{any(random), any(random), -5};
+    const Ray ray{origin, glm::normalize(to - origin)};
+    const auto hit = picker.pick(ray, targets);
+    double nearest = 1e300;
+    for (std::size_t t = 0; t < mesh.faces.size(); ++t) {
+      const glm::dvec3 a = mesh.positions[3 * t],
+                       n = glm::cross(glm::dvec3(mesh.positions[3 * t + 1]) - a,
+                                      glm::dvec3(mesh.positions[3 * t + 2]) - a);
+      const double s = glm::dot(a - ray.origin, n) / glm::dot(ray.direction, n);
+      const glm::dvec3 p = ray.origin + s * ray.direction;
+      bool inside = true;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 from = mesh.positions[3 * t + k],
+                         to_next = mesh.positions[3 * t + (k + 1) % 3];
+        inside = inside && glm::dot(glm::cross(to_next - from, p - from), n) >= 0;
+      }
+      if (inside) nearest = std::min(nearest, s);
+    }
+    ASSERT_EQ(hit.has_value(), nearest < 1e300) << i;
+    if (!hit) continue;
+    EXPECT_NEAR(hit->distance, nearest, 1e-9);
+    ++hits;
+  }
+  EXPECT_GT(hits, 100);
+}
+
+TEST(Picker, IsFastWithManyTriangles) {
+  Picker picker;
+  const std::vector<PickTarget> targets{target_of(sphere(1, 320, 160), 1)};
+  ASSERT_GT(targets[0].mesh->faces.size(), 100'000u);
+  picker.pick({{0, 0, 5}, {0, 0, -1}}, targets);  // builds the tree
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < 1000; ++i)
+    EXPECT_TRUE(picker.pick({{0.0009 * i, 0.0001 * i, 5}, {0, 0, -1}}, targets));
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  RecordProperty("microseconds_per_pick", std::to_string(seconds * 1000));
+  EXPECT_LT(seconds, 1) << "a pick takes more than a millisecond";
+}
+
+TEST(Picker, PrefersVerticesToEdgesToFaces) {
+  Picker picker;
+  const std::vector<PickTarget> targets{target_of(block({-1, -1, -1}, {1, 1, 1}), 7)};
+  Camera camera;
+  camera.target = {0, 0, 0};
+  const glm::dvec2 size{800, 600};
+  const auto feature_at = [&](const glm::dvec3& p, glm::dvec2 off) {
+    return picker.pick_feature(camera, glm::dvec2(camera.project(p, size)) + off, size, 8, targets);
+  };
+  const glm::dvec3 eye = camera.position();
+  const glm::dvec3 corner{eye.x > 0 ? 1 : -1, eye.y > 0 ? 1 : -1, 1};
+  auto found = feature_at(corner, {3, 2});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, PickedFeature::Kind::vertex);
+  EXPECT_EQ(found->point, corner);
+  found = feature_at({0, corner.y, 1}, {1, 2});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, PickedFeature::Kind::edge);
+  EXPECT_NEAR(found->point.y, corner.y, 1e-9);
+  found = feature_at({0, 0, 1}, {0, 0});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, PickedFeature::Kind::face);
+  EXPECT_EQ(found->normal, glm::dvec3(0, 0, 1));
+  // The corner behind is hidden.
+  found = feature_at({-corner.x, -corner.y, -1}, {0, 0});
+  EXPECT_TRUE(!found || found->point.z != -1 || found->point.x != -corner.x);
+}
+
+TEST(Snapping, ToGridAndAngles) {
+  EXPECT_EQ(snapped(0.26, 0.1), 0.3);
+  EXPECT_EQ(snapped(-0.04, 0.1), 0);
+  EXPECT_EQ(snapped(37, 15), 30);
+  EXPECT_EQ(snapped(1.3, 0), 1.3);
+}
+
+Placement at(double x, double y, double z) {
+  return {{x, y, z}, {0, 0, 0}, {1, 1, 1}};
+}
+
+TEST(Snapping, BlocksFindTheirCornerExactly) {
+  const Solid inside = block({-0.05, -0.05, -0.05}, {0.05, 0.05, 0.05});
+  const SnapFeatures fixed = snap_features(block({0.1, 0.1, 0.1}, {0.7, 0.9, 1.1}));
+  EXPECT_EQ(fixed.vertices.size(), 8u);
+  EXPECT_EQ(fixed.edges.size(), 12u);
+  EXPECT_EQ(fixed.faces.size(), 6u);
+  const Placement start = at(3, 3, 3);
+  const SnapFeatures dragged = snap_features(inside, start.transform());
+  const Vec3 offset{-3 + 0.751, -3 + 0.948, -3 + 1.052};
+  const std::vector<Snap> snaps = snap(dragged, fixed, offset, 0.01);
+  ASSERT_EQ(snaps.size(), 1u);
+  EXPECT_EQ(snaps[0].kind, Snap::Kind::vertex_vertex);
+  const Placement made = placed_by(start, {}, offset, snaps);
+  const Vec3 corner = made.transform()(*snaps[0].local);
+  EXPECT_EQ(corner, snaps[0].to);
+}
+
+TEST(Snapping, FacesBecomeFlush) {
+  const Solid inside = block({-0.15, -0.15, -0.15}, {0.15, 0.15, 0.15});
+  const Solid wall = block({0.1, -5, -5}, {0.7, 5, 5});
+  const Placement start = at(2, 0.123, 0.321);
+  const SnapFeatures dragged = snap_features(inside, start.transform());
+  const Vec3 offset{-1.143, 0.01, 0.02};  // left side near x = 0.7
+  const std::vector<Snap> snaps = snap(dragged, snap_features(wall), offset, 0.02);
+  ASSERT_EQ(snaps.size(), 1u);
+  EXPECT_EQ(snaps[0].kind, Snap::Kind::face_face);
+  const Placement made = placed_by(start, {}, offset, snaps);
+  EXPECT_EQ(made.transform()({-0.15, 0, 0}).x, 0.7);
+  EXPECT_EQ(made.position.y, 0.123 + 0.01);
+  // Exactly flush: one shell, and the walls of the contact are gone.
+  const Solid both = boolean(transformed(inside, made.transform()), wall, Operation::unite);
+  EXPECT_EQ(both.counts().shells, 1u);
+  EXPECT_TRUE(
+      boolean(transformed(inside, made.transform()), wall, Operation::intersect).is_empty());
+}
+
+TEST(Snapping, KeepsToTheDirectionsOfTheDrag) {
+  const SnapFeatures fixed = snap_features(block({0, 0, 0}, {1, 1, 1}));
+  const SnapFeatures dragged = snap_features(block({2, 0.4, 0.4}, {3, 0.6, 0.6}));
+  const auto free = snap(dragged, fixed, {-0.98, 0, 0}, 0.05);
+  const auto along_x = snap(dragged, fixed, {-0.98, 0, 0}, 0.05, {{1, 0, 0}});
+  const auto along_y = snap(dragged, fixed, {-0.98, 0, 0}, 0.05, {{0, 1, 0}});
+  ASSERT_FALSE(free.empty());
+  ASSERT_EQ(along_x.size(), 1u);
+  EXPECT_EQ(along_x[0].offset, (Vec3{-1, 0, 0}));
+  EXPECT_TRUE(along_y.empty());
+}
+
+TEST(Snapping, MovesAPointExactlyOntoATarget) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const Transform parents[]{{}, Placement{{0.1, 0.2, 0.3}, {90, 0, 0}, {1, 1, 1}}.transform()};
+  int exact = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Placement start{{any(random), any(random), any(random)}, {0, 90, 33}, {1, 2, 0.5}};
+    const Vec3 local{any(random), any(random), any(random)};
+    const Vec3 target{24 + any(random), 24 + any(random),
+                      24 + any(random)};  // as coarse as positions
+    const Transform& parent = parents[i % 2];
+    const Placement made = moved_onto(start, parent, local, target);
+    const Vec3 reached = (parent * made.transform())(local);
+    EXPECT_NEAR(reached.x, target.x, 1e-14);
+    exact += reached == target;
+  }
+  EXPECT_EQ(exact, 400);
+}
+
+}  // namespace
+}  // namespace sectile::viewer

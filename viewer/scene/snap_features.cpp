@@ -1,0 +1,105 @@
+// The features of a solid: its triangles, joined where they are of one plane.
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <map>
+#include <numeric>
+
+#include "scene/snapping.h"
+#include "scene/transforms.h"
+
+namespace sectile::viewer {
+
+namespace {
+
+struct Side {
+  std::uint32_t low, high;  // vertices
+  std::uint32_t triangle;
+};
+
+std::vector<Side> sides_of(const PolygonMesh& mesh) {
+  std::vector<Side> sides;
+  sides.reserve(mesh.indices.size());
+  for (std::uint32_t i = 0; i < mesh.indices.size(); ++i) {
+    const std::uint32_t from = mesh.indices[i], to = mesh.indices[i % 3 == 2 ? i - 2 : i + 1];
+    sides.push_back({std::min(from, to), std::max(from, to), i / 3});
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return a.low != b.low ? a.low < b.low : a.high < b.high;
+  });
+  return sides;
+}
+
+glm::dvec3 normal_of(const PolygonMesh& mesh, std::size_t triangle) {
+  const auto corner = [&](std::size_t i) {
+    return to_glm(mesh.positions[mesh.indices[3 * triangle + i]]);
+  };
+  const glm::dvec3 n = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+  const double length = glm::length(n);
+  return length > 0 ? n / length : n;
+}
+
+struct Regions {
+  std::vector<std::uint32_t> parent;
+  explicit Regions(std::size_t count) : parent(count) {
+    std::iota(parent.begin(), parent.end(), 0u);
+  }
+  std::uint32_t find(std::uint32_t t) {
+    while (parent[t] != t) t = parent[t] = parent[parent[t]];
+    return t;
+  }
+};
+
+void grow(SnapFeatures::Face& face, const Vec3& p) {
+  face.low = {std::min(face.low.x, p.x), std::min(face.low.y, p.y), std::min(face.low.z, p.z)};
+  face.high = {std::max(face.high.x, p.x), std::max(face.high.y, p.y), std::max(face.high.z, p.z)};
+}
+
+void add_faces(const PolygonMesh& mesh, const std::vector<glm::dvec3>& normals, Regions& regions,
+               const std::vector<Vec3>& local, SnapFeatures& made) {
+  std::map<std::uint32_t, std::size_t> faces;
+  for (std::uint32_t t = 0; t < normals.size(); ++t) {
+    const std::uint32_t region = regions.find(t);
+    const auto [place, is_new] = faces.try_emplace(region, made.faces.size());
+    const std::uint32_t corner = mesh.indices[3 * t];
+    const Vec3& first = mesh.positions[corner];
+    if (is_new)
+      made.faces.push_back({first, local[corner], from_glm(normals[region]), first, first});
+    for (std::uint32_t i = 0; i < 3; ++i)
+      grow(made.faces[place->second], mesh.positions[mesh.indices[3 * t + i]]);
+  }
+}
+
+}  // namespace
+
+SnapFeatures snap_features(const Solid& inside, const Transform& world) {
+  PolygonMesh mesh = inside.to_mesh();
+  const std::vector<Vec3> local = mesh.positions;
+  if (!is_identity(world)) mesh = transformed(mesh, world);
+  std::vector<glm::dvec3> normals(mesh.face_sizes.size());
+  for (std::size_t t = 0; t < normals.size(); ++t) normals[t] = normal_of(mesh, t);
+
+  SnapFeatures made;
+  Regions regions(normals.size());
+  std::vector<bool> is_end(mesh.positions.size());
+  const std::vector<Side> sides = sides_of(mesh);
+  for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
+    while (next < sides.size() && sides[next].low == sides[i].low &&
+           sides[next].high == sides[i].high)
+      ++next;
+    const std::uint32_t s = sides[i].triangle, t = sides[next - 1].triangle;
+    if (next - i == 2 && glm::dot(normals[s], normals[t]) > 1 - 1e-12) {
+      regions.parent[regions.find(s)] = regions.find(t);
+      continue;
+    }
+    is_end[sides[i].low] = is_end[sides[i].high] = true;
+    made.edges.push_back(
+        {mesh.positions[sides[i].low], mesh.positions[sides[i].high], local[sides[i].low]});
+  }
+  for (std::size_t v = 0; v < is_end.size(); ++v)
+    if (is_end[v]) made.vertices.push_back({mesh.positions[v], local[v]});
+  add_faces(mesh, normals, regions, local, made);
+  return made;
+}
+
+}  // namespace sectile::viewer
