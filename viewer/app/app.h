@@ -14,11 +14,14 @@
 
 namespace sectile::viewer {
 
+class Session;
+class Widgets;
+
 struct AppOptions {
-  std::filesystem::path data_folder;      ///< settings and recovery; empty: none are kept
+  std::filesystem::path data_folder;  ///< settings and recovery; empty: none are kept
   bool dark = false;
-  bool show_interface = true;             ///< false: the picture alone
-  bool wait_for_results = false;          ///< tests and screenshots: frame() waits for the evaluator
+  bool show_interface = true;     ///< false: the picture alone
+  bool wait_for_results = false;  ///< tests and screenshots: frame() waits for the evaluator
 };
 
 class App {
@@ -31,23 +34,25 @@ class App {
   /// Handles the input, draws one frame. `seconds` since the last frame.
   void frame(const Input& input, double seconds);
   bool wants_to_close() const;
-  bool needs_frame() const;               ///< something moves or is being computed
-  Image screenshot();                     ///< of the last frame
+  bool needs_frame() const;  ///< something moves or is being computed
+  Image screenshot();        ///< of the last frame
 
   // What tests and the command line drive and look at.
-  void open(const std::filesystem::path& path);      ///< a scene or a mesh; errors appear in the window
+  void open(const std::filesystem::path& path);  ///< a scene or a mesh; errors appear in the window
   void open_sample(const std::string& name);
   const Scene& scene() const;
   const Camera& camera() const;
   void set_camera(const Camera& camera);
-  void show_step(Phase phase, std::size_t step);     ///< of the story of the selected operation
-  /// The rectangle (UI units: x, y, width, height) of a named widget in the last frame; throws if it
-  /// was not there.
+  void show_step(Phase phase, std::size_t step);  ///< of the story of the selected operation
+  /// The rectangle (UI units: x, y, width, height) of a named widget in the last frame; throws if
+  /// it was not there.
   glm::vec4 widget(const std::string& name) const;
   bool has_widget(const std::string& name) const;
   /// Where a point of the world is in the window, in UI units.
   glm::dvec2 on_screen(const glm::dvec3& point) const;
   std::string last_message() const;
+  const Widgets& widgets() const;  ///< all of the last frame
+  const Session& session() const;
 
  private:
   class Implementation;

@@ -1,0 +1,6 @@
+if(TARGET sectile_viewer_app)
+  sectile_test(viewer_app_test
+    LABEL viewer
+    SOURCES app_driver.cpp app_test.cpp
+    LIBRARIES sectile_viewer_app)
+endif()

@@ -1,0 +1,114 @@
+#include "viewer/app_driver.h"
+
+namespace sectile::viewer {
+namespace {
+
+constexpr double time_step = 1.0 / 60;
+
+Event mouse(Event::Kind kind, glm::dvec2 at, MouseButton button, bool shift, bool control) {
+  Event event;
+  event.kind = kind;
+  event.position = at;
+  event.button = button;
+  event.shift = shift;
+  event.control = control;
+  return event;
+}
+
+bool overlap(const glm::vec4& a, const glm::vec4& b) {
+  return a.x + 0.5f < b.x + b.z && b.x + 0.5f < a.x + a.z && a.y + 0.5f < b.y + b.w &&
+         b.y + 0.5f < a.y + a.w;
+}
+
+}  // namespace
+
+AppDriver::AppDriver(int width, int height, float scale)
+    : context_(make_osmesa_context(width, height, scale)) {
+  AppOptions options;
+  options.wait_for_results = true;
+  app_ = std::make_unique<App>(*context_, options);
+  settle();
+}
+
+void AppDriver::send(std::initializer_list<Event> events) {
+  app_->frame(Input{events}, time_step);
+}
+
+void AppDriver::settle(int frames) {
+  for (int i = 0; i < frames; ++i) send({});
+}
+
+void AppDriver::move(glm::dvec2 to, bool shift, bool control) {
+  send({mouse(Event::Kind::mouse_move, to, MouseButton::left, shift, control)});
+}
+
+void AppDriver::click(glm::dvec2 at, bool shift) {
+  move(at, shift);
+  send({mouse(Event::Kind::mouse_down, at, MouseButton::left, shift, false)});
+  send({mouse(Event::Kind::mouse_up, at, MouseButton::left, shift, false)});
+  // Longer than a double click.
+  app_->frame({}, 0.6);
+  settle();
+}
+
+void AppDriver::drag(glm::dvec2 from, glm::dvec2 to, MouseButton button, bool control) {
+  move(from, false, control);
+  send({mouse(Event::Kind::mouse_down, from, button, false, control)});
+  for (int i = 1; i <= 8; ++i) move(from + (to - from) * (i / 8.0), false, control);
+  send({mouse(Event::Kind::mouse_up, to, button, false, control)});
+  settle();
+}
+
+glm::dvec2 AppDriver::middle(const std::string& name) const {
+  const glm::vec4 r = app_->widget(name);
+  return {r.x + r.z / 2, r.y + r.w / 2};
+}
+
+void AppDriver::key(Key key, bool control, bool shift) {
+  Event event;
+  event.key = key;
+  event.control = control;
+  event.shift = shift;
+  event.kind = Event::Kind::key_down;
+  send({event});
+  event.kind = Event::Kind::key_up;
+  event.control = event.shift = false;
+  send({event});
+  settle();
+}
+
+void AppDriver::type(const std::string& text) {
+  Event event;
+  event.kind = Event::Kind::text;
+  event.text = text;
+  send({event});
+  settle(2);
+}
+
+void AppDriver::drop(const std::filesystem::path& file) {
+  Event event;
+  event.kind = Event::Kind::drop;
+  event.files = {file};
+  send({event});
+  settle();
+}
+
+void AppDriver::add(const std::string& shape) {
+  press("tool.add");
+  press("menu:add." + shape);
+}
+
+std::string AppDriver::faults() const {
+  std::string found;
+  const auto& all = app_->widgets().all();
+  for (const auto& [name, widget] : all) {
+    if (widget.clipped) found += name + " is cut off. ";
+    for (const auto& [other, second] : all)
+      if (name < other && !widget.surface && !second.surface &&
+          widget.floating == second.floating && overlap(widget.rectangle, second.rectangle))
+        found += name + " and " + other + " overlap. ";
+  }
+  return found;
+}
+
+}  // namespace sectile::viewer

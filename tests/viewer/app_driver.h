@@ -1,0 +1,49 @@
+// Drives the modeller without a window: synthetic events, a fixed time step, presses by widget
+// name.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/app.h"
+#include "app/session.h"
+#include "app/widgets.h"
+#include "render/graphics_context.h"
+
+namespace sectile::viewer {
+
+class AppDriver {
+ public:
+  explicit AppDriver(int width = 960, int height = 600, float scale = 1);
+
+  App& app() { return *app_; }
+  const Session& session() const { return app_->session(); }
+  const Scene& scene() const { return app_->scene(); }
+
+  void settle(int frames = 3);
+  void move(glm::dvec2 to, bool shift = false, bool control = false);
+  void click(glm::dvec2 at, bool shift = false);
+  void drag(glm::dvec2 from, glm::dvec2 to, MouseButton button = MouseButton::left,
+            bool control = false);
+  /// The middle of a named widget.
+  glm::dvec2 middle(const std::string& name) const;
+  void press(const std::string& name) { click(middle(name)); }
+  void key(Key key, bool control = false, bool shift = false);
+  void key(char letter, bool control = false, bool shift = false) {
+    key(static_cast<Key>(letter), control, shift);
+  }
+  void type(const std::string& text);
+  void drop(const std::filesystem::path& file);
+  void add(const std::string& shape);  ///< by the tool bar
+
+  /// Widgets that are cut off or lie on each other, in words; empty if all is well.
+  std::string faults() const;
+
+ private:
+  void send(std::initializer_list<Event> events);
+  std::unique_ptr<GraphicsContext> context_;
+  std::unique_ptr<App> app_;
+};
+
+}  // namespace sectile::viewer

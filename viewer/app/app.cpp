@@ -1,0 +1,289 @@
+#include "app/app.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "app/commands.h"
+#include "app/event_queue.h"
+#include "app/navigation.h"
+#include "app/panels/panels.h"
+#include "app/picture_maker.h"
+#include "app/settings_file.h"
+
+namespace sectile::viewer {
+namespace {
+
+/// ImGui's context of one App; several can live side by side.
+class InterfaceContext {
+ public:
+  InterfaceContext() : context_(ImGui::CreateContext()) {
+    bind();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = io.LogFilename = nullptr;
+    io.ConfigDragClickToInputText = true;
+    io.ConfigInputTextCursorBlink = false;
+    EventQueue::map_keys();
+  }
+  ~InterfaceContext() { ImGui::DestroyContext(context_); }
+  InterfaceContext(const InterfaceContext&) = delete;
+  InterfaceContext& operator=(const InterfaceContext&) = delete;
+  void bind() const { ImGui::SetCurrentContext(context_); }
+
+ private:
+  ImGuiContext* context_;
+};
+
+}  // namespace
+
+class App::Implementation {
+ public:
+  Implementation(GraphicsContext& context, const AppOptions& options)
+      : context_(context),
+        options_(options),
+        renderer_(context),
+        session_(options.data_folder, options.dark) {
+    if (!options_.data_folder.empty()) {
+      load_settings(settings_path(), session_.view);
+      session_.offer_recovery(options_.data_folder);
+    }
+  }
+
+  ~Implementation() {
+    if (!options_.data_folder.empty()) save_settings(settings_path(), session_.view);
+  }
+
+  void frame(const Input& input, double seconds) {
+    interface_.bind();
+    events_.add(input);
+    begin(seconds);
+    const std::vector<Event> fed = events_.feed();
+    session_.update(seconds, options_.wait_for_results);
+    ImGui::NewFrame();
+    react(fed);
+    widgets_.begin_frame();
+    draw_interface();
+    if (options_.wait_for_results) session_.update(0, true);
+    follow_step();
+    draw_picture();
+    ImGui::Render();
+    renderer_.draw(*ImGui::GetDrawData());
+  }
+
+  bool needs_frame() const {
+    return !events_.is_empty() || session_.is_busy() || session_.player.is_playing() ||
+           session_.messages.is_fading() || settling_ > 0;
+  }
+
+  Image screenshot() { return renderer_.read_frame(); }
+
+  glm::dvec2 on_screen(const glm::dvec3& point) const {
+    const glm::dvec3 pixel = session_.camera.project(point, session_.picture_size);
+    return {layout_.picture.x + pixel.x, layout_.picture.y + pixel.y};
+  }
+
+  Session& session() { return session_; }
+  const Session& session() const { return session_; }
+  const Widgets& widgets() const { return widgets_; }
+
+ private:
+  std::filesystem::path settings_path() const { return options_.data_folder / "settings"; }
+
+  void begin(double seconds) {
+    renderer_.begin_frame();
+    ImGuiIO& io = ImGui::GetIO();
+    const float scale = std::max(0.5f, context_.scale());
+    if (scale != font_scale_) {
+      font_scale_ = scale;
+      fonts_ = load_fonts(*io.Fonts, scale);
+      io.FontGlobalScale = 1 / scale;
+    }
+    io.DisplaySize = {static_cast<float>(context_.width()) / scale,
+                      static_cast<float>(context_.height()) / scale};
+    io.DisplayFramebufferScale = {scale, scale};
+    io.DeltaTime = static_cast<float>(std::max(seconds, 1e-4));
+    apply_style(session_.view.dark);
+    const float menu = options_.show_interface ? 15 + 8 : 0;
+    layout_ = make_layout(io.DisplaySize.x, io.DisplaySize.y, menu, session_.mode() == Mode::steps);
+    if (!options_.show_interface) layout_.picture = {0, 0, io.DisplaySize.x, io.DisplaySize.y};
+    session_.picture_size = {layout_.picture.width, layout_.picture.height};
+  }
+
+  void react(const std::vector<Event>& fed) {
+    // Two quiet frames let menus and tooltips come to rest.
+    settling_ = fed.empty() ? std::max(0, settling_ - 1) : 2;
+    for (const Event& event : fed) {
+      if (event.kind == Event::Kind::close && !session_.dialogs.is_open())
+        commands_.run(session_, commands_.get("file.quit"));
+      if (event.kind == Event::Kind::drop)
+        for (const std::filesystem::path& file : event.files) session_.open(file);
+      if (event.kind == Event::Kind::key_down) press(event);
+    }
+  }
+
+  void press(const Event& event) {
+    if (ImGui::GetIO().WantTextInput || session_.dialogs.is_open()) return;
+    const bool menu_open =
+        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    if (menu_open) return;
+    if (event.key == Key::escape) {
+      if (!navigation_.escape(session_)) session_.select(0);
+      return;
+    }
+    if (!navigation_.is_dragging()) commands_.press(session_, event);
+  }
+
+  void draw_interface() {
+    if (!options_.show_interface) return;
+    PanelContext context{session_, commands_, widgets_, layout_, fonts_, theme(session_.view.dark)};
+    ImGui::PushFont(fonts_.regular);
+    draw_menu_bar(context);
+    draw_tool_bar(context);
+    draw_scene_tree(context);
+    draw_properties(context);
+    if (session_.mode() == Mode::steps && layout_.inspector.width > 0) {
+      draw_inspector(context);
+      draw_time_line(context);
+    }
+    draw_legend(context);
+    draw_hint_strip(context);
+    draw_view_panel(context);
+    draw_messages(context);
+    draw_status_bar(context);
+    draw_questions(context);
+    draw_file_browser(context);
+    draw_help(context);
+    ImGui::PopFont();
+    Widget picture;
+    picture.rectangle = {layout_.picture.x, layout_.picture.y, layout_.picture.width,
+                         layout_.picture.height};
+    picture.surface = true;
+    widgets_.record("picture", picture);
+    navigation_.record(widgets_, session_, layout_.picture);
+  }
+
+  void follow_step() {
+    const auto place = std::pair(session_.player.shared(), session_.player.step());
+    if (place == followed_) return;
+    followed_ = place;
+    if (!session_.view.follow_steps || session_.mode() != Mode::steps || !place.first ||
+        !session_.player.current())
+      return;
+    const Bounds bounds = place.first->place_of(place.second);
+    if (!bounds.is_empty())
+      session_.camera.look_at(bounds, session_.picture_size.x / session_.picture_size.y);
+  }
+
+  void draw_picture() {
+    navigation_.update(session_, layout_.picture);
+    Picture picture = pictures_.make(session_);
+    if (options_.show_interface) navigation_.add_to(picture, session_);
+    if (navigation_.is_dragging()) picture.quality = Quality::fast;
+    const float scale = font_scale_;
+    const auto pixels = [&](float units) { return static_cast<int>(std::lround(units * scale)); };
+    const Rectangle& p = layout_.picture;
+    renderer_.draw(picture, {pixels(p.x), pixels(p.y), pixels(p.width), pixels(p.height)});
+    draw_labels(picture);
+  }
+
+  void draw_labels(const Picture& picture) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const Rectangle& p = layout_.picture;
+    const Theme& colours = theme(session_.view.dark);
+    draw.PushClipRect({p.x, p.y}, {p.x + p.width, p.y + p.height});
+    for (const Label& label : picture.labels) {
+      const glm::dvec3 pixel = session_.camera.project(label.place, session_.picture_size);
+      if (pixel.z <= 0) continue;
+      const ImVec2 at{std::round(p.x + static_cast<float>(pixel.x) + 5),
+                      std::round(p.y + static_cast<float>(pixel.y) - 16)};
+      const float size = fonts_.small->FontSize / font_scale_;
+      for (const ImVec2 by : {ImVec2(-1, 0), ImVec2(1, 0), ImVec2(0, -1), ImVec2(0, 1)})
+        draw.AddText(fonts_.small, size, {at.x + by.x, at.y + by.y},
+                     packed(with_alpha(colours.text_halo, 0.8f)), label.text.c_str());
+      draw.AddText(fonts_.small, size, at, packed(label.colour), label.text.c_str());
+    }
+    draw.PopClipRect();
+  }
+
+  GraphicsContext& context_;
+  AppOptions options_;
+  InterfaceContext interface_;
+  Renderer renderer_;
+  Session session_;
+  Commands commands_;
+  Widgets widgets_;
+  EventQueue events_;
+  Navigation navigation_;
+  PictureMaker pictures_;
+  Layout layout_;
+  Fonts fonts_;
+  float font_scale_ = 0;
+  int settling_ = 2;
+  std::pair<std::shared_ptr<const Story>, std::size_t> followed_;
+};
+
+App::App(GraphicsContext& context, const AppOptions& options)
+    : implementation_(std::make_unique<Implementation>(context, options)) {}
+App::~App() = default;
+
+void App::frame(const Input& input, double seconds) {
+  implementation_->frame(input, seconds);
+}
+bool App::wants_to_close() const {
+  return implementation_->session().wants_to_close;
+}
+bool App::needs_frame() const {
+  return implementation_->needs_frame();
+}
+Image App::screenshot() {
+  return implementation_->screenshot();
+}
+
+void App::open(const std::filesystem::path& path) {
+  implementation_->session().open(path);
+}
+void App::open_sample(const std::string& name) {
+  implementation_->session().open_sample(name);
+}
+const Scene& App::scene() const {
+  return implementation_->session().scene();
+}
+const Camera& App::camera() const {
+  return implementation_->session().camera;
+}
+void App::set_camera(const Camera& camera) {
+  implementation_->session().keep_camera(camera);
+}
+
+void App::show_step(Phase phase, std::size_t step) {
+  implementation_->session().set_mode(Mode::steps);
+  implementation_->session().player.go_to(phase, step);
+}
+
+const Widgets& App::widgets() const {
+  return implementation_->widgets();
+}
+const Session& App::session() const {
+  return implementation_->session();
+}
+
+glm::vec4 App::widget(const std::string& name) const {
+  const Widget* found = implementation_->widgets().find(name);
+  if (!found) throw std::out_of_range("There is no widget called " + name + " in the last frame.");
+  return found->rectangle;
+}
+
+bool App::has_widget(const std::string& name) const {
+  return implementation_->widgets().find(name) != nullptr;
+}
+
+glm::dvec2 App::on_screen(const glm::dvec3& point) const {
+  return implementation_->on_screen(point);
+}
+std::string App::last_message() const {
+  return implementation_->session().messages.last();
+}
+
+}  // namespace sectile::viewer

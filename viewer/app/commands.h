@@ -1,0 +1,47 @@
+// Everything that menus, tool bar and keys can do, once: name, words, icon, key, condition, action.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/input.h"
+#include "app/session.h"
+
+namespace sectile::viewer {
+
+struct Shortcut {
+  int key = 0;  ///< as in Key; 0: none
+  bool control = false, shift = false;
+};
+
+struct Command {
+  std::string name;   ///< "edit.undo"; also the widget's name
+  std::string title;  ///< in menus and on the tool bar
+  std::string help;   ///< one sentence for the tooltip
+  std::string icon;   ///< UTF-8
+  std::vector<Shortcut> keys;
+  std::function<void(Session&)> run;
+  std::function<bool(const Session&)> can_run;  ///< empty: always
+  std::function<bool(const Session&)> is_on;    ///< empty: not a switch
+};
+
+class Commands {
+ public:
+  Commands();
+  const std::vector<Command>& all() const { return commands_; }
+  const Command& get(std::string_view name) const;  ///< throws std::out_of_range
+  /// Runs what the key stands for; false if it stands for nothing.
+  bool press(Session& session, const Event& key_down) const;
+  void run(Session& session, const Command& command) const;
+
+ private:
+  std::vector<Command> commands_;
+};
+
+/// "Ctrl+Shift+Z"; empty if there is no key.
+std::string key_name(const Command& command);
+bool is_enabled(const Command& command, const Session& session);
+
+}  // namespace sectile::viewer

@@ -1,0 +1,66 @@
+// Buttons, fields and panels as the whole interface uses them: each records its rectangle under its
+// name.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "app/commands.h"
+#include "app/fonts.h"
+#include "app/layout.h"
+#include "app/style.h"
+#include "app/widgets.h"
+#include "picture/theme.h"
+
+namespace sectile::viewer {
+
+/// What every panel needs to draw itself.
+struct PanelContext {
+  Session& session;
+  const Commands& commands;
+  Widgets& widgets;
+  const Layout& layout;
+  const Fonts& fonts;
+  const Theme& theme;
+};
+
+/// A panel at a fixed place. Always followed by end_panel().
+void begin_panel(PanelContext& context, const char* name, const Rectangle& place,
+                 ImGuiWindowFlags flags = 0);
+void end_panel();
+void title(PanelContext& context, const char* text);
+
+bool button(PanelContext& context, const std::string& name, const std::string& text,
+            const std::string& help = {}, bool enabled = true, float width = 0, bool on = false);
+/// A small square with an icon.
+bool icon_button(PanelContext& context, const std::string& name, const char* icon,
+                 const std::string& help, bool enabled = true, bool on = false);
+/// The button of a command: icon and, if asked, its title.
+void command_button(PanelContext& context, std::string_view command, bool with_title);
+/// The item of a command in a menu; it is called "menu:" and the command's name.
+void command_item(PanelContext& context, std::string_view command);
+bool checkbox(PanelContext& context, const std::string& name, const char* text, bool& value,
+              const std::string& help = {});
+/// A slider that fills the rest of the line.
+bool slider(PanelContext& context, const std::string& name, double& value, double low, double high,
+            const char* format, float width = -1);
+
+/// What happened to a field in this frame.
+struct Edited {
+  bool changing = false;  ///< the value is another now
+  bool done = false;      ///< the change is complete: one step of undo
+};
+/// Drag to change, double click (or Ctrl and click) to type.
+Edited number_field(PanelContext& context, const std::string& name, double& value, double speed,
+                    float width, double low = -1e9, double high = 1e9);
+Edited count_field(PanelContext& context, const std::string& name, std::uint32_t& value, int low,
+                   int high, float width);
+
+void tooltip(const std::string& text);
+std::string tooltip_of(const Command& command);
+/// Wrapped text in the small font and a faint colour.
+void note(PanelContext& context, const std::string& text);
+float text_width(const std::string& text);
+
+}  // namespace sectile::viewer

@@ -1,0 +1,96 @@
+#include <algorithm>
+
+#include "app/icons.h"
+#include "app/panels/panels.h"
+#include "app/words.h"
+
+namespace sectile::viewer {
+namespace {
+
+void wrapped(const std::string& text) {
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void draw_table(PanelContext& context, const Step& step) {
+  const int columns = static_cast<int>(step.columns.size());
+  if (columns == 0 || step.table.empty()) return;
+  ImGui::PushFont(context.fonts.small);
+  const ImGuiTableFlags flags = ImGuiTableFlags_Borders | ImGuiTableFlags_RowBg |
+                                ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollX |
+                                ImGuiTableFlags_NoSavedSettings;
+  const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const float height =
+      line * static_cast<float>(step.table.size() + 1) + ImGui::GetStyle().ScrollbarSize + 4;
+  if (ImGui::BeginTable("codes", columns, flags, {0, height})) {
+    for (const std::string& column : step.columns) ImGui::TableSetupColumn(column.c_str());
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (int i = 0; i < columns; ++i) {
+      ImGui::TableSetColumnIndex(i);
+      ImGui::TextUnformatted(step.columns[static_cast<std::size_t>(i)].c_str());
+    }
+    for (const Row& row : step.table) {
+      ImGui::TableNextRow();
+      for (int i = 0; i < columns && i < static_cast<int>(row.size()); ++i) {
+        ImGui::TableSetColumnIndex(i);
+        ImGui::TextUnformatted(row[static_cast<std::size_t>(i)].c_str());
+      }
+    }
+    ImGui::EndTable();
+  }
+  ImGui::PopFont();
+}
+
+void draw_waiting(PanelContext& context) {
+  const Session& session = context.session;
+  title(context, "Steps");
+  if (session.player.is_busy())
+    wrapped("The story of this operation is being told\u2026");
+  else if (!session.player.error().empty())
+    wrapped(session.player.error());
+  else if (session.is_busy())
+    wrapped("The operands are being computed\u2026");
+  else if (session.player.story())
+    wrapped("Nothing happened in this phase (" + title_of(session.player.phase()) +
+            "): the operands gave it nothing to do.");
+  else
+    wrapped(session.why_no_story());
+}
+
+}  // namespace
+
+void draw_inspector(PanelContext& context) {
+  begin_panel(context, "inspector", context.layout.inspector);
+  const Step* step = context.session.player.current();
+  if (!step) {
+    draw_waiting(context);
+    end_panel();
+    return;
+  }
+  const bool has_sphere = !step->sphere.arcs.empty() || !step->sphere.marks.empty();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float sphere = has_sphere ? std::min(room.x, room.y * 0.46f) : 0;
+  ImGui::BeginChild("words", {0, room.y - sphere});
+  const std::string kind = title_of(step->phase) + "  \u00B7  " + step->kind;
+  ImGui::PushFont(context.fonts.small);
+  ImGui::TextDisabled("%s", kind.c_str());
+  if (step->special) {
+    ImGui::SameLine();
+    ImGui::TextColored(ImVec4(0.80f, 0.47f, 0.0f, 1), "%s special case", icons::star);
+  }
+  ImGui::PopFont();
+  ImGui::PushFont(context.fonts.bold);
+  wrapped(step->title);
+  ImGui::PopFont();
+  context.widgets.record_item("inspector.title");
+  ImGui::Spacing();
+  wrapped(step->words);
+  ImGui::Spacing();
+  draw_table(context, *step);
+  ImGui::EndChild();
+  if (has_sphere) draw_sphere(context, step->sphere, room.x, sphere);
+  end_panel();
+}
+
+}  // namespace sectile::viewer

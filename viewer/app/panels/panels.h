@@ -1,0 +1,29 @@
+// The panels of the window. Each draws itself into its place of the layout.
+#pragma once
+
+#include "app/elements.h"
+
+namespace sectile::viewer {
+
+float draw_menu_bar(PanelContext& context);  ///< gives its height
+void draw_tool_bar(PanelContext& context);
+void draw_scene_tree(PanelContext& context);
+void draw_properties(PanelContext& context);
+void draw_inspector(PanelContext& context);
+void draw_time_line(PanelContext& context);
+void draw_legend(PanelContext& context);
+void draw_view_panel(PanelContext& context);
+void draw_hint_strip(PanelContext& context);
+void draw_messages(PanelContext& context);
+void draw_status_bar(PanelContext& context);
+void draw_file_browser(PanelContext& context);
+void draw_questions(PanelContext& context);
+void draw_help(PanelContext& context);
+
+/// How high the hint strip stands over the lower edge of the picture; 0 if it is closed.
+float hint_strip_height(const PanelContext& context);
+
+/// The spherical picture of a step, as large as it fits.
+void draw_sphere(PanelContext& context, const SpherePicture& picture, float width, float height);
+
+}  // namespace sectile::viewer

@@ -1,0 +1,241 @@
+#include <array>
+
+#include "app/icons.h"
+#include "app/panels/panels.h"
+#include "app/words.h"
+
+namespace sectile::viewer {
+namespace {
+
+/// Fields that change a copy of the node; shown at once, one step of undo when the edit is done.
+class Fields {
+ public:
+  Fields(PanelContext& context, NodeId id)
+      : context_(context), node_(*context.session.scene().find(id)) {}
+
+  void draw() {
+    ImGui::PushFont(context_.fonts.bold);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(node_.name.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", kind_of(node_).c_str());
+    draw_error();
+    triple("Position", "position", node_.placement.position, 0.01);
+    triple("Rotation (degrees)", "rotation", node_.placement.rotation, 0.5);
+    triple("Scale", "scale", node_.placement.scale, 0.005);
+    ImGui::Spacing();
+    std::visit([&](auto& what) { draw_what(what); }, node_.what);
+    draw_numbers();
+    apply();
+  }
+
+ private:
+  void edited(const char* what, Edited edited) {
+    if (edited.changing || edited.done) what_ = what;
+    changing_ |= edited.changing;
+    done_ |= edited.done;
+  }
+
+  void choose(const char* what) { edited(what, {true, true}); }
+
+  void draw_error() {
+    const std::string error = context_.session.error_of(node_.id);
+    if (error.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.84f, 0.24f, 0.12f, 1));
+    ImGui::PushTextWrapPos(0);
+    ImGui::Text("%s  %s", icons::warning, error.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    context_.widgets.record_item("properties.error");
+  }
+
+  void triple(const char* text, const std::string& name, Vec3& value, double speed) {
+    ImGui::PushFont(context_.fonts.small);
+    ImGui::TextDisabled("%s", text);
+    ImGui::PopFont();
+    const float gap = 4;
+    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+    const std::array<Colour, 3> colours{context_.theme.handle_x, context_.theme.handle_y,
+                                        context_.theme.handle_z};
+    const std::array<double*, 3> values{&value.x, &value.y, &value.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (axis > 0) ImGui::SameLine(0, gap);
+      edited(text, number_field(context_, "properties." + name + "." + "xyz"[axis], *values[axis],
+                                speed, width));
+      const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+      ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - 2}, high, packed(colours[axis]));
+    }
+  }
+
+  void row(const char* text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.46f);
+  }
+
+  void length(const char* text, const std::string& name, double& value) {
+    row(text);
+    edited(text, number_field(context_, "properties." + name, value, 0.01, -1, 1e-6, 1e6));
+  }
+
+  void whole(const char* text, const std::string& name, std::uint32_t& value, int low, int high) {
+    row(text);
+    edited(text, count_field(context_, "properties." + name, value, low, high, -1));
+  }
+
+  void draw_what(Primitive& p) {
+    using Shape = Primitive::Shape;
+    const Shape s = p.shape;
+    if (s == Shape::block || s == Shape::wedge) triple("Size", "size", p.size, 0.01);
+    if (s == Shape::prism || s == Shape::pyramid || s == Shape::cylinder || s == Shape::cone ||
+        s == Shape::sphere || s == Shape::torus)
+      length("Radius", "radius", p.radius);
+    if (s == Shape::cone) {
+      row("Top radius");
+      edited("Top radius",
+             number_field(context_, "properties.top_radius", p.top_radius, 0.01, -1, 0, 1e6));
+    }
+    if (s == Shape::torus) length("Minor radius", "minor_radius", p.minor_radius);
+    if (s == Shape::prism || s == Shape::pyramid || s == Shape::cylinder || s == Shape::cone ||
+        s == Shape::extrusion)
+      length("Height", "height", p.height);
+    if (s == Shape::prism || s == Shape::pyramid) {
+      whole("Sides", "segments", p.segments, 3, 512);
+    } else if (s != Shape::block && s != Shape::wedge && s != Shape::extrusion) {
+      whole("Segments", "segments", p.segments, 3, 512);
+    }
+    if (s == Shape::sphere || s == Shape::torus) whole("Rings", "rings", p.rings, 3, 256);
+  }
+
+  void draw_what(Imported& imported) {
+    if (!imported.path.empty())
+      note(context_, "From " + imported.path.filename().string() + ", kept inside the scene.");
+  }
+
+  void draw_what(BooleanNode& node) {
+    const float width = (ImGui::GetContentRegionAvail().x - 8) / 3;
+    for (const Operation operation :
+         {Operation::unite, Operation::intersect, Operation::subtract}) {
+      if (operation != Operation::unite) ImGui::SameLine(0, 4);
+      if (button(context_, "properties." + name_of(operation), sign_of(operation),
+                 capitalised(name_of(operation)) + " the solids below", true, width,
+                 node.operation == operation)) {
+        node.operation = operation;
+        choose("Change the operation");
+      }
+    }
+    if (node_.children.size() == 2 && button(context_, "properties.swap", "Swap A and B",
+                                             "Exchanges the two operands", true, -1)) {
+      const NodeId id = node_.id, second = node_.children[1];
+      context_.session.change("Swap A and B", [&](Scene& changed) { changed.move(second, id, 0); });
+    }
+    if (button(context_, "properties.steps", std::string(icons::list) + "  Show the steps",
+               "Watch how this result comes about (Tab)", true, -1))
+      context_.session.set_mode(Mode::steps);
+  }
+
+  void draw_what(SplitNode& node) {
+    const float width = (ImGui::GetContentRegionAvail().x - 4) / 2;
+    for (const bool above : {true, false}) {
+      if (!above) ImGui::SameLine(0, 4);
+      if (button(context_, above ? "properties.above" : "properties.below",
+                 above ? "Above" : "Below", "Which part is kept", true, width,
+                 node.above == above)) {
+        node.above = above;
+        choose("Keep the other part");
+      }
+    }
+    ImGui::TextDisabled("Plane a x + b y + c z + d = 0");
+    const float quarter = (ImGui::GetContentRegionAvail().x - 12) / 4;
+    const std::array<double*, 4> values{&node.plane.a, &node.plane.b, &node.plane.c, &node.plane.d};
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (i > 0) ImGui::SameLine(0, 4);
+      edited("Move the plane", number_field(context_, std::string("properties.plane.") + "abcd"[i],
+                                            *values[i], 0.01, quarter));
+    }
+  }
+
+  void draw_what(Group&) {
+    note(context_, count(node_.children.size()) + " solids that move as one.");
+  }
+
+  void number_row(const char* text, const std::string& value) {
+    ImGui::TextDisabled("%s", text);
+    ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.46f);
+    ImGui::TextUnformatted(value.c_str());
+  }
+
+  void draw_numbers() {
+    const Solid* solid = context_.session.solid(node_.id);
+    if (!solid) return;
+    ImGui::Separator();
+    if (solid->is_empty()) {
+      ImGui::PushTextWrapPos(0);
+      ImGui::TextUnformatted("The result is empty: no volume is left.");
+      ImGui::PopTextWrapPos();
+      return;
+    }
+    const SolidNumbers& numbers = context_.session.numbers(node_.id, *solid);
+    number_row("Volume", number(numbers.volume));
+    number_row("Area", number(numbers.area));
+    number_row("Vertices", count(numbers.counts.vertices));
+    number_row("Edges", count(numbers.counts.edges));
+    number_row("Faces", count(numbers.counts.faces));
+    number_row("Shells", count(numbers.counts.shells));
+    number_row("Holes (genus)", std::to_string(numbers.counts.genus));
+  }
+
+  void apply() {
+    if (!changing_ && !done_) return;
+    Session& session = context_.session;
+    Scene scene = session.scene();
+    Node& edited = scene.edit(node_.id);
+    edited.placement = node_.placement;
+    edited.what = node_.what;
+    if (changing_) session.document.show_draft(what_, std::move(scene));
+    if (done_) session.document.commit_draft();
+  }
+
+  PanelContext& context_;
+  Node node_;
+  const char* what_ = "";
+  bool changing_ = false, done_ = false;
+};
+
+void draw_several(PanelContext& context, const std::vector<NodeId>& chosen) {
+  title(context, (std::to_string(chosen.size()) + " selected").c_str());
+  for (std::size_t i = 0; i < chosen.size() && i < 8; ++i) {
+    const Colour colour = i == 0 ? context.theme.a : context.theme.b;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 6, at.y + ImGui::GetTextLineHeight() / 2},
+                                                5, packed(with_alpha(colour, 1)));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 18);
+    ImGui::TextUnformatted(context.session.scene().find(chosen[i])->name.c_str());
+  }
+  note(context,
+       "Choose Unite (U), Intersect (I) or Subtract (D). Subtract cuts the others out of the "
+       "first.");
+}
+
+}  // namespace
+
+void draw_properties(PanelContext& context) {
+  begin_panel(context, "properties", context.layout.properties);
+  const std::vector<NodeId> chosen = context.session.topmost_selected();
+  if (chosen.empty()) {
+    title(context, "Properties");
+    note(context,
+         context.session.scene().size() == 0
+             ? "What you select shows its place and its size here."
+             : "Click a solid in the picture or in the tree above to see its place and size.");
+  } else if (chosen.size() == 1) {
+    Fields(context, chosen.front()).draw();
+  } else {
+    draw_several(context, chosen);
+  }
+  end_panel();
+}
+
+}  // namespace sectile::viewer

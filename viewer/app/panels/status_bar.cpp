@@ -1,0 +1,70 @@
+#include "app/icons.h"
+#include "app/panels/panels.h"
+#include "app/words.h"
+
+namespace sectile::viewer {
+namespace {
+
+std::string about_scene(const Session& session) {
+  if (session.scene().size() == 0) return "Empty scene";
+  const std::size_t roots = session.scene().roots().size();
+  std::string text = roots == 1 ? "1 solid" : count(roots) + " solids";
+  if (roots == 1)
+    if (const Solid* solid = session.solid(session.scene().roots().front())) {
+      const std::size_t faces = solid->counts().faces;
+      text +=
+          solid->is_empty() ? ", empty" : ", " + count(faces) + (faces == 1 ? " face" : " faces");
+    }
+  return text;
+}
+
+std::string about_file(const Session& session) {
+  const auto& path = session.document.path();
+  std::string text = path.empty() ? "not saved yet" : path.filename().string();
+  if (!path.empty() && session.document.is_changed()) text += " (changed)";
+  return session.scene().size() == 0 && path.empty() ? "" : text;
+}
+
+void draw_progress(PanelContext& context, const std::string& activity) {
+  Session& session = context.session;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(activity.c_str());
+  ImGui::SameLine(0, 10);
+  const float line = ImGui::GetTextLineHeight();
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 3);
+  ImGui::ProgressBar(static_cast<float>(session.progress()), {130, line - 2}, "");
+  context.widgets.record_item("status.progress");
+  ImGui::SameLine(0, 10);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - 3);
+  if (button(context, "status.cancel", "Cancel", "Stops this computation")) session.cancel();
+}
+
+}  // namespace
+
+void draw_status_bar(PanelContext& context) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 2});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  begin_panel(context, "status", context.layout.status,
+              ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar(2);
+  ImGui::PushFont(context.fonts.small);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6, 2});
+  const std::string activity = context.session.activity();
+  if (!activity.empty()) {
+    draw_progress(context, activity);
+  } else {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(about_scene(context.session).c_str());
+    context.widgets.record_item("status.text");
+  }
+  const std::string file = about_file(context.session);
+  ImGui::SameLine(context.layout.status.width - text_width(file) - 10);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", file.c_str());
+  if (!file.empty()) context.widgets.record_item("status.file");
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+  end_panel();
+}
+
+}  // namespace sectile::viewer

@@ -1,0 +1,130 @@
+#include "app/session.h"
+
+#include <algorithm>
+
+#include "app/placing.h"
+#include "scene/transforms.h"
+
+namespace sectile::viewer {
+
+Session::Session(const std::filesystem::path& data_folder, bool dark) : document(data_folder) {
+  view.dark = dark;
+}
+
+bool Session::change(const std::string& what, const std::function<void(Scene&)>& edit) {
+  Scene changed = document.scene();
+  try {
+    edit(changed);
+  } catch (const std::exception& error) {
+    document.drop_draft();
+    messages.error(what + " did not work: " + error.what());
+    return false;
+  }
+  document.commit(what, std::move(changed));
+  return true;
+}
+
+void Session::undo() {
+  if (document.has_draft()) return document.drop_draft();
+  if (!document.can_undo()) return;
+  const std::string what = document.undo_name();
+  document.undo();
+  messages.tell("Undone: " + what);
+}
+
+void Session::redo() {
+  if (document.has_draft() || !document.can_redo()) return;
+  const std::string what = document.redo_name();
+  document.redo();
+  messages.tell("Redone: " + what);
+}
+
+bool Session::is_selected(NodeId id) const {
+  return std::find(selection().begin(), selection().end(), id) != selection().end();
+}
+
+void Session::select(NodeId id, bool add) {
+  if (id == 0) {
+    if (!add) document.select({});
+    return;
+  }
+  Selection chosen;
+  if (add) chosen = selection();
+  if (std::erase(chosen, id) == 0) chosen.push_back(id);
+  document.select(std::move(chosen));
+}
+
+Selection Session::topmost_selected() const {
+  return scene().topmost(selection());
+}
+
+void Session::set_mode(Mode wanted) {
+  if (wanted == Mode::steps && story_node() == 0) {
+    messages.error(
+        "There are no steps yet: select two solids and choose Unite, Intersect or Subtract first, "
+        "or "
+        "open one of the samples.");
+    return;
+  }
+  if (mode_ == Mode::steps && wanted == Mode::model) player.play(false);
+  mode_ = wanted;
+}
+
+void Session::look_at_selection() {
+  Bounds bounds;
+  for (const NodeId id : selection()) bounds.add(bounds_of(id));
+  if (bounds.is_empty()) return look_at_all();
+  camera.look_at(bounds, picture_size.x / picture_size.y);
+}
+
+void Session::look_at_all() {
+  const Bounds bounds = bounds_of_all();
+  if (!bounds.is_empty()) camera.look_at(bounds, picture_size.x / picture_size.y);
+}
+
+Bounds Session::bounds_of(NodeId id) const {
+  Bounds bounds;
+  const Node* node = scene().find(id);
+  if (!node) return bounds;
+  const Evaluation::Entry* entry = evaluation_ ? evaluation_->find(id) : nullptr;
+  if (entry && entry->surface && !entry->surface->bounds.is_empty())
+    return moved(entry->surface->bounds, matrix_of(scene().world(id)));
+  for (const NodeId child : node->children) bounds.add(bounds_of(child));
+  return bounds;
+}
+
+Bounds Session::bounds_of_all() const {
+  Bounds bounds;
+  for (const NodeId root : scene().roots())
+    if (scene().find(root)->visible) bounds.add(bounds_of(root));
+  return bounds;
+}
+
+glm::dvec4 Session::section_plane() const {
+  glm::dvec4 plane{0, 0, 0, -view.section_place};
+  plane[view.section_axis] = 1;
+  return view.section_flipped ? -plane : plane;
+}
+
+void Session::after_saving(const std::string& about, std::function<void()> then) {
+  if (!document.is_changed() || scene().size() == 0) return then();
+  Question question;
+  question.title = about;
+  question.text = "The scene has changes that are not saved. Save them first?";
+  const auto save_first = [this, then] {
+    if (!document.path().empty()) {
+      if (save(document.path())) then();
+      return;
+    }
+    dialogs.browse(FileBrowser::Purpose::save, "scene.sectile",
+                   [this, then](const std::filesystem::path& path) {
+                     if (save(path)) then();
+                   });
+  };
+  question.answers = {{"question.save", "Save", save_first},
+                      {"question.discard", "Do not save", then},
+                      {"question.cancel", "Cancel", [] {}}};
+  dialogs.ask(std::move(question));
+}
+
+}  // namespace sectile::viewer

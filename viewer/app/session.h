@@ -1,0 +1,152 @@
+// The state of one session of the modeller and everything that a person can do to it. Knows no
+// widgets: panels, keys and tests all call the same functions.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/dialogs.h"
+#include "app/document.h"
+#include "app/importer.h"
+#include "app/messages.h"
+#include "app/story_player.h"
+#include "app/view_settings.h"
+#include "evaluation/evaluator.h"
+#include "picture/camera.h"
+#include "scene/handles.h"
+
+namespace sectile::viewer {
+
+enum class Mode { model, steps };
+
+struct SolidNumbers {
+  Solid of;
+  double volume = 0, area = 0;
+  SolidCounts counts;
+};
+
+/// A name that is being typed in the tree.
+struct Renaming {
+  NodeId node = 0;  ///< 0: none
+  bool begun = false;
+  std::string text;
+};
+
+class Session {
+ public:
+  Session(const std::filesystem::path& data_folder, bool dark);
+
+  // --- The document ---
+  const Scene& scene() const { return document.scene(); }
+  /// One step of undo. What it throws becomes a message, and nothing is changed.
+  bool change(const std::string& what, const std::function<void(Scene&)>& edit);
+  void undo();
+  void redo();
+
+  void new_scene();
+  void open(const std::filesystem::path& path);    ///< replaces a scene, adds a mesh
+  void import(const std::filesystem::path& path);  ///< adds a mesh, read in the background
+  void open_sample(const std::string& name);
+  bool save(const std::filesystem::path& path);
+  void offer_recovery(
+      const std::filesystem::path& data_folder);  ///< asks, if an earlier session crashed
+  void export_solid(const std::filesystem::path& path);
+  /// Runs `then` at once, or after the question whether changes are to be saved.
+  void after_saving(const std::string& about, std::function<void()> then);
+
+  // --- Selection ---
+  const Selection& selection() const { return document.selection(); }
+  bool is_selected(NodeId id) const;
+  void select(NodeId id, bool add = false);  ///< add: or take away, if it was selected
+  void select(Selection ids) { document.select(std::move(ids)); }
+  NodeId selected() const { return selection().empty() ? 0 : selection().back(); }
+  /// The selected nodes that do not lie below another selected node, in the order of selection.
+  Selection topmost_selected() const;
+
+  // --- Editing ---
+  void add(Primitive::Shape shape);
+  void combine(Operation operation);
+  void split();
+  void duplicate_selected();
+  void remove_selected();
+  void group_selected();
+  void ungroup_selected();
+  void hide_selected();
+  void rename(NodeId id, const std::string& name);
+
+  // --- Looking ---
+  void set_mode(Mode wanted);
+  Mode mode() const { return mode_; }
+  void look_at_selection();
+  void look_at_all();
+  /// From here, instead of framing what is being opened.
+  void keep_camera(const Camera& wanted) { camera = wanted, frame_next_ = false; }
+  Bounds bounds_of(NodeId id) const;
+  Bounds bounds_of_all() const;
+  /// The plane of the section in world coordinates: cut away is what lies on its positive side.
+  glm::dvec4 section_plane() const;
+
+  // --- Results ---
+  const Evaluation* evaluation() const { return evaluation_.get(); }
+  const Solid* solid(NodeId id) const;    ///< null: not computed, or an error
+  std::string error_of(NodeId id) const;  ///< why there is none, in plain words; or empty
+  /// The Boolean whose steps are shown: the selected one, the one above the selection, or the
+  /// first.
+  NodeId story_node() const;
+
+  std::string why_no_story() const;
+  /// Are the operands of an operation drawn in the colours of A and B?
+  bool shows_operands() const;
+  /// Volume, area and counts, computed once for each solid.
+  const SolidNumbers& numbers(NodeId id, const Solid& solid);
+
+  /// Looks what was computed in the meantime. `wait`: until all of it is.
+  void update(double seconds, bool wait);
+  bool is_busy() const;
+  std::string activity() const;  ///< what is being computed, in words
+  double progress() const;
+  void cancel();
+
+  Document document;
+  Messages messages;
+  Dialogs dialogs;
+  StoryPlayer player;
+  ViewSettings view;
+  Camera camera;
+  glm::dvec2 picture_size{800, 600};
+  HandleMode handles = HandleMode::move;
+  bool local_axes = false;
+  bool snapping = true;
+  Renaming renaming;
+  bool adding = false;      ///< the list of primitives is to open
+  bool view_panel = false;  ///< the view settings are open
+  std::string typed_stop;   ///< a break point that is being typed
+  bool wants_to_close = false;
+
+ private:
+  void evaluate();
+  void take_evaluation();
+  void take_imports(bool wait);
+  void tell_new_errors();
+  void tell_story();
+  void frame_once_computed();
+  std::vector<Solid> operands_of(const Node& node) const;
+  void start(Scene scene, std::filesystem::path path);
+  void recover(const LostWork& work);
+
+  Evaluator evaluator_;
+  Importer importer_;
+  std::shared_ptr<const Evaluation> evaluation_;
+  std::uint64_t seen_revision_ = 0, newest_request_ = 0;
+  Mode mode_ = Mode::model;
+  bool frame_next_ = false;  ///< look at everything as soon as it is computed
+  std::map<NodeId, std::string> told_errors_;
+  std::map<NodeId, SolidNumbers> numbers_;
+};
+
+}  // namespace sectile::viewer

@@ -1,0 +1,144 @@
+// What changes the scene: adding, combining, grouping, removing.
+#include <algorithm>
+
+#include "app/placing.h"
+#include "app/session.h"
+#include "app/words.h"
+
+namespace sectile::viewer {
+namespace {
+
+/// A profile to start from: an L for extrusions, a ring's cross-section for revolutions.
+Profile first_profile(Primitive::Shape shape) {
+  Profile profile;
+  if (shape == Primitive::Shape::extrusion)
+    profile.outer = {{-1, -1}, {1, -1}, {1, 0}, {0, 0}, {0, 1}, {-1, 1}};
+  else
+    profile.outer = {{0.5, 0}, {1, 0}, {1, 0.5}, {0.75, 1}, {0.5, 1}};
+  return profile;
+}
+
+Primitive first_primitive(Primitive::Shape shape) {
+  Primitive primitive;
+  primitive.shape = shape;
+  if (shape == Primitive::Shape::prism || shape == Primitive::Shape::pyramid)
+    primitive.segments = 6;
+  if (shape == Primitive::Shape::extrusion || shape == Primitive::Shape::revolution)
+    primitive.profile = first_profile(shape);
+  if (shape == Primitive::Shape::extrusion) primitive.height = 1;
+  return primitive;
+}
+
+}  // namespace
+
+void Session::add(Primitive::Shape shape) {
+  NodeId added = 0;
+  const bool done = change("Add " + name_of(shape), [&](Scene& changed) {
+    Node node;
+    node.name = capitalised(name_of(shape));
+    node.what = first_primitive(shape);
+    // Beside what is there, so that the new solid can be seen; on the grid.
+    const Bounds bounds = bounds_of_all();
+    if (!bounds.is_empty()) node.placement.position.x = std::ceil(bounds.high.x + 1.5);
+    added = changed.add(std::move(node));
+  });
+  if (!done) return;
+  select(added);
+  frame_next_ = true;
+}
+
+void Session::combine(Operation operation) {
+  std::vector<NodeId> operands = topmost_selected();
+  // Without a choice, the two solids of a scene of two are meant.
+  if (operands.size() < 2 && scene().roots().size() == 2) operands = scene().roots();
+  if (operands.size() < 2) {
+    messages.error("Select two solids first: click one, then hold Shift and click the other.");
+    return;
+  }
+  NodeId made = 0;
+  if (change(capitalised(name_of(operation)),
+             [&](Scene& changed) { made = changed.combine(operands, operation); }))
+    select(made);
+}
+
+void Session::split() {
+  const std::vector<NodeId> chosen = topmost_selected();
+  if (chosen.size() != 1) {
+    messages.error("Select the one solid to split. The section plane says where it is cut.");
+    return;
+  }
+  if (!view.section) {
+    view.section = true;
+    view.section_axis = 2;
+    const Bounds bounds = bounds_of(chosen.front());
+    view.section_place = bounds.is_empty() ? 0 : bounds.centre().z;
+    messages.tell("Place the section plane under View, then split again.");
+    return;
+  }
+  const glm::dvec4 plane = section_plane();
+  std::pair<NodeId, NodeId> made;
+  if (change("Split", [&](Scene& changed) {
+        made = changed.split(chosen.front(), {plane.x, plane.y, plane.z, plane.w});
+      })) {
+    select({made.first, made.second});
+    view.section = false;
+  }
+}
+
+void Session::duplicate_selected() {
+  const std::vector<NodeId> chosen = topmost_selected();
+  std::vector<NodeId> made;
+  if (!chosen.empty() && change("Duplicate", [&](Scene& changed) {
+        for (const NodeId id : chosen) {
+          made.push_back(changed.duplicate(id));
+          changed.edit(made.back()).placement.position.x += 1;
+        }
+      }))
+    select(made);
+}
+
+void Session::remove_selected() {
+  const std::vector<NodeId> chosen = topmost_selected();
+  if (!chosen.empty() && change("Delete", [&](Scene& changed) {
+        for (const NodeId id : chosen) changed.remove(id);
+      }))
+    select(Selection());
+}
+
+void Session::group_selected() {
+  const std::vector<NodeId> chosen = topmost_selected();
+  NodeId made = 0;
+  if (!chosen.empty() && change("Group", [&](Scene& changed) { made = changed.group(chosen); }))
+    select(made);
+}
+
+void Session::ungroup_selected() {
+  const Node* node = scene().find(selected());
+  if (!node || !std::holds_alternative<Group>(node->what)) {
+    messages.error("Select a group to take apart.");
+    return;
+  }
+  const std::vector<NodeId> members = node->children;
+  const NodeId id = node->id;
+  if (change("Ungroup", [&](Scene& changed) { changed.ungroup(id); })) select(members);
+}
+
+void Session::hide_selected() {
+  const Selection chosen = selection();
+  const bool any_visible = std::any_of(chosen.begin(), chosen.end(), [&](NodeId id) {
+    const Node* node = scene().find(id);
+    return node && node->visible;
+  });
+  if (!chosen.empty())
+    change(any_visible ? "Hide" : "Show", [&](Scene& changed) {
+      for (const NodeId id : chosen) changed.edit(id).visible = !any_visible;
+    });
+}
+
+void Session::rename(NodeId id, const std::string& name) {
+  const Node* node = scene().find(id);
+  if (!node || name.empty() || node->name == name) return;
+  change("Rename", [&](Scene& changed) { changed.rename(id, name); });
+}
+
+}  // namespace sectile::viewer

@@ -1,0 +1,15 @@
+// The settings that outlive a session, as lines "name value".
+#pragma once
+
+#include <filesystem>
+
+#include "app/view_settings.h"
+
+namespace sectile::viewer {
+
+/// Without a file, or where a line says nothing known, the settings stay.
+void load_settings(const std::filesystem::path& path, ViewSettings& settings);
+/// Throws FileError.
+void save_settings(const std::filesystem::path& path, const ViewSettings& settings);
+
+}  // namespace sectile::viewer

@@ -1,0 +1,229 @@
+#include "app/story_player.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace sectile::viewer {
+namespace {
+
+struct Request {
+  std::vector<Solid> operands;
+  Operation operation = Operation::unite;
+  bool is_same(const Request& other) const {
+    return operation == other.operation &&
+           std::equal(operands.begin(), operands.end(), other.operands.begin(),
+                      other.operands.end(),
+                      [](const Solid& a, const Solid& b) { return a.data() == b.data(); });
+  }
+};
+
+struct Told {
+  std::shared_ptr<const Story> story;
+  std::string error;
+};
+
+Told tell_story(const Request& request, const std::atomic<bool>& cancel) {
+  try {
+    BooleanOptions options;
+    options.cancel = &cancel;
+    Solid a = request.operands.front();
+    for (std::size_t i = 1; i + 1 < request.operands.size(); ++i)
+      a = boolean(a, request.operands[i], request.operation, options);
+    auto story = std::make_shared<const Story>(
+        Story::tell(a, request.operands.back(), request.operation, &cancel));
+    for (const bool eight_way : {false, true}) story->prepare(eight_way);
+    return {std::move(story), {}};
+  } catch (const Cancelled&) {
+    return {nullptr,
+            "The steps were cancelled. Move an operand or choose Steps again to retell them."};
+  } catch (const std::exception& error) {
+    return {nullptr, error.what()};
+  }
+}
+
+}  // namespace
+
+struct StoryPlayer::Teller {
+  std::mutex mutex;
+  std::condition_variable work, done;
+  Request request;
+  bool has_request = false, has_told = false, running = false, closing = false;
+  Told told;
+  std::atomic<bool> cancel{false};
+  std::thread thread;
+
+  void run() {
+    std::unique_lock lock(mutex);
+    while (true) {
+      work.wait(lock, [&] { return closing || has_request; });
+      if (closing) return;
+      const Request mine = request;
+      has_request = false;
+      running = true;
+      cancel = false;
+      lock.unlock();
+      Told mine_told = tell_story(mine, cancel);
+      lock.lock();
+      running = false;
+      if (!has_request) told = std::move(mine_told), has_told = true;
+      done.notify_all();
+    }
+  }
+};
+
+StoryPlayer::StoryPlayer() : teller_(std::make_unique<Teller>()) {
+  teller_->thread = std::thread([teller = teller_.get()] { teller->run(); });
+}
+
+StoryPlayer::~StoryPlayer() {
+  {
+    const std::lock_guard lock(teller_->mutex);
+    teller_->closing = true;
+    teller_->cancel = true;
+  }
+  teller_->work.notify_all();
+  teller_->thread.join();
+}
+
+void StoryPlayer::tell(const std::vector<Solid>& operands, Operation operation) {
+  const std::lock_guard lock(teller_->mutex);
+  Request request{operands, operation};
+  if (request.is_same(teller_->request)) return;
+  teller_->request = std::move(request);
+  teller_->has_request = true;
+  teller_->cancel = true;
+  teller_->work.notify_all();
+}
+
+void StoryPlayer::forget() {
+  const std::lock_guard lock(teller_->mutex);
+  teller_->request = {};
+  teller_->has_request = teller_->has_told = false;
+  teller_->cancel = true;
+  story_.reset();
+  current_.reset();
+  error_.clear();
+  playing_ = false;
+}
+
+bool StoryPlayer::is_busy() const {
+  const std::lock_guard lock(teller_->mutex);
+  return teller_->running || teller_->has_request || teller_->has_told;
+}
+
+void StoryPlayer::cancel() {
+  const std::lock_guard lock(teller_->mutex);
+  teller_->has_request = false;
+  teller_->cancel = true;
+}
+
+void StoryPlayer::update(double seconds, bool wait) {
+  Told told;
+  {
+    std::unique_lock lock(teller_->mutex);
+    if (wait) teller_->done.wait(lock, [&] { return !teller_->running && !teller_->has_request; });
+    if (teller_->has_told && !teller_->request.operands.empty()) {
+      told = std::move(teller_->told);
+      error_ = told.error;
+    }
+    teller_->has_told = false;
+  }
+  if (told.story) keep_place(std::move(told.story));
+  if (!error_.empty()) {
+    story_.reset();
+    current_.reset();
+  }
+  if (playing_ && story_) play_on(seconds);
+}
+
+void StoryPlayer::play_on(double seconds) {
+  until_next_ -= seconds;
+  while (playing_ && until_next_ <= 0) {
+    until_next_ += 1 / steps_per_second;
+    const std::size_t stop = following_stop();
+    if (step_ + 1 >= story_->steps().size()) {
+      playing_ = false;
+    } else {
+      go_to(step_ + 1);
+      if (step_ == stop) playing_ = false;
+    }
+  }
+}
+
+void StoryPlayer::keep_place(std::shared_ptr<const Story> told) {
+  if (!has_wish_ && story_) {
+    wished_phase_ = phase_;
+    wished_step_ = current_ ? step_ - story_->range(phase_).first : 0;
+    has_wish_ = true;
+  }
+  story_ = std::move(told);
+  go_to(0);
+  if (has_wish_) {
+    has_wish_ = false;
+    go_to(wished_phase_, wished_step_);
+  }
+}
+
+Picture StoryPlayer::picture(const StoryView& view) const {
+  return current_ ? story_->picture(step_, view) : story_->picture(phase_, view);
+}
+
+void StoryPlayer::go_to(std::size_t step) {
+  current_.reset();
+  if (!story_ || story_->steps().empty()) return;
+  step_ = std::min(step, story_->steps().size() - 1);
+  current_ = story_->step(step_);
+  phase_ = current_->phase;
+}
+
+void StoryPlayer::go_to(Phase phase, std::size_t step_in_phase) {
+  if (!story_) {
+    wished_phase_ = phase;
+    wished_step_ = step_in_phase;
+    has_wish_ = true;
+    return;
+  }
+  const auto [first, last] = story_->range(phase);
+  if (first < last) return go_to(first + std::min(step_in_phase, last - first - 1));
+  // Nothing happened in this phase: it still has a picture.
+  step_ = std::min(first, story_->steps().empty() ? 0 : story_->steps().size() - 1);
+  phase_ = phase;
+  current_.reset();
+}
+
+bool StoryPlayer::next_special(bool backwards) {
+  if (!story_) return false;
+  const std::size_t found = story_->next_special(step_, backwards);
+  const bool moved = found != step_;
+  go_to(found);
+  return moved;
+}
+
+std::size_t StoryPlayer::following_stop() const {
+  std::size_t nearest = story_->steps().size();
+  for (const std::string& stop : stops) {
+    const std::size_t found = stop == "special case" ? story_->next_special(step_, false)
+                                                     : story_->next_of_kind(step_, stop);
+    if (found > step_) nearest = std::min(nearest, found);
+  }
+  return nearest < story_->steps().size() ? nearest : step_;
+}
+
+bool StoryPlayer::next_stop() {
+  if (!story_) return false;
+  const std::size_t stop = following_stop();
+  if (stop == step_) return false;
+  go_to(stop);
+  return true;
+}
+
+void StoryPlayer::play(bool on) {
+  playing_ = on && story_;
+  until_next_ = 1 / steps_per_second;
+  if (playing_ && step_ + 1 >= story_->steps().size()) go_to(0);
+}
+
+}  // namespace sectile::viewer

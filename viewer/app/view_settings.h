@@ -1,0 +1,27 @@
+// What of the scene the picture shows, and how.
+#pragma once
+
+#include <cstdint>
+
+namespace sectile::viewer {
+
+/// What is drawn of a Boolean whose operands are being worked on.
+enum class Shown : std::uint8_t { both, result, operands };
+
+struct ViewSettings {
+  bool dark = false;
+  bool grid = true, axes = true;
+  bool wireframe = false;
+  bool labels = false;
+  bool eight_way = false;
+  double exploded = 0;       ///< 0 … 1, of the story's pictures
+  bool section = false;      ///< the section plane cuts
+  int section_axis = 0;      ///< x, y, z
+  double section_place = 0;  ///< along the axis
+  bool section_flipped = false;
+  Shown shown = Shown::both;
+  bool follow_steps = false;  ///< the camera goes to the place of each step
+  bool hints = true;
+};
+
+}  // namespace sectile::viewer

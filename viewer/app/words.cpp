@@ -1,0 +1,123 @@
+#include "app/words.h"
+
+#include <cctype>
+#include <cstdio>
+
+namespace sectile::viewer {
+
+std::string name_of(Primitive::Shape shape) {
+  switch (shape) {
+    case Primitive::Shape::block:
+      return "block";
+    case Primitive::Shape::wedge:
+      return "wedge";
+    case Primitive::Shape::prism:
+      return "prism";
+    case Primitive::Shape::pyramid:
+      return "pyramid";
+    case Primitive::Shape::cylinder:
+      return "cylinder";
+    case Primitive::Shape::cone:
+      return "cone";
+    case Primitive::Shape::sphere:
+      return "sphere";
+    case Primitive::Shape::torus:
+      return "torus";
+    case Primitive::Shape::extrusion:
+      return "extrusion";
+    case Primitive::Shape::revolution:
+      return "revolution";
+  }
+  return {};
+}
+
+std::string name_of(Operation operation) {
+  switch (operation) {
+    case Operation::unite:
+      return "unite";
+    case Operation::intersect:
+      return "intersect";
+    case Operation::subtract:
+      return "subtract";
+  }
+  return {};
+}
+
+std::string sign_of(Operation operation) {
+  switch (operation) {
+    case Operation::unite:
+      return "\u222A";
+    case Operation::intersect:
+      return "\u2229";
+    case Operation::subtract:
+      return "\\";
+  }
+  return {};
+}
+
+std::string kind_of(const Node& node) {
+  struct Kind {
+    std::string operator()(const Primitive& p) const { return name_of(p.shape); }
+    std::string operator()(const Imported&) const { return "mesh"; }
+    std::string operator()(const BooleanNode& b) const {
+      switch (b.operation) {
+        case Operation::unite:
+          return "union";
+        case Operation::intersect:
+          return "intersection";
+        case Operation::subtract:
+          return "difference";
+      }
+      return {};
+    }
+    std::string operator()(const SplitNode& s) const {
+      return s.above ? "part above a plane" : "part below a plane";
+    }
+    std::string operator()(const Group&) const { return "group"; }
+  };
+  return std::visit(Kind{}, node.what);
+}
+
+std::string title_of(Phase phase) {
+  switch (phase) {
+    case Phase::reduction:
+      return "Contacts";
+    case Phase::vertex_face:
+      return "Vertex in face";
+    case Phase::vertex_vertex:
+      return "Vertex on vertex";
+    case Phase::null_edges:
+      return "Null edges";
+    case Phase::joining:
+      return "Joining";
+    case Phase::components:
+      return "Parts";
+    case Phase::gluing:
+      return "Gluing";
+    case Phase::cleanup:
+      return "Result";
+  }
+  return {};
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.7g", value);
+  return text;
+}
+
+std::string count(std::size_t n) {
+  std::string digits = std::to_string(n);
+  for (std::size_t at = digits.size(); at > 3;) {
+    at -= 3;
+    digits.insert(at, "\u00A0");
+  }
+  return digits;
+}
+
+}  // namespace sectile::viewer

@@ -1,0 +1,29 @@
+// How things are called in the interface.
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+#include "sectile/trace.h"
+
+namespace sectile::viewer {
+
+std::string name_of(Primitive::Shape shape);
+std::string name_of(Operation operation);
+std::string sign_of(Operation operation);  ///< ∪ ∩ \ in UTF-8
+std::string kind_of(const Node& node);     ///< "block", "union", …
+std::string title_of(Phase phase);         ///< for the time line
+std::string capitalised(std::string text);
+std::string number(double value);  ///< short, and says "about" nothing
+std::string count(std::size_t n);  ///< thousands apart
+
+inline constexpr Primitive::Shape all_shapes[] = {
+    Primitive::Shape::block,     Primitive::Shape::wedge,    Primitive::Shape::prism,
+    Primitive::Shape::pyramid,   Primitive::Shape::cylinder, Primitive::Shape::cone,
+    Primitive::Shape::sphere,    Primitive::Shape::torus,    Primitive::Shape::extrusion,
+    Primitive::Shape::revolution};
+inline constexpr Phase all_phases[] = {Phase::reduction,  Phase::vertex_face, Phase::vertex_vertex,
+                                       Phase::null_edges, Phase::joining,     Phase::components,
+                                       Phase::gluing,     Phase::cleanup};
+
+}  // namespace sectile::viewer
