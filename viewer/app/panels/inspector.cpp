@@ -25,7 +25,9 @@ void draw_table(PanelContext& context, const Step& step) {
       line * static_cast<float>(step.table.size() + 1) + ImGui::GetStyle().ScrollbarSize + 4;
   if (ImGui::BeginTable("codes", columns, flags, {0, height})) {
     for (const std::string& column : step.columns) ImGui::TableSetupColumn(column.c_str());
-    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    // An ordinary row: columns become as wide as their names too.
+    ImGui::TableNextRow();
+    ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, ImGui::GetColorU32(ImGuiCol_TableHeaderBg));
     for (int i = 0; i < columns; ++i) {
       ImGui::TableSetColumnIndex(i);
       ImGui::TextUnformatted(step.columns[static_cast<std::size_t>(i)].c_str());
