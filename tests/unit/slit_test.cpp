@@ -24,7 +24,7 @@ void expect_volumes(const Solid& a, const Solid& b, double common) {
                {boolean(a, b, Operation::subtract), volume_a - common},
                {boolean(b, a, Operation::subtract), volume_b - common}};
   for (const auto& c : cases) {
-    EXPECT_DOUBLE_EQ(c.result.volume(), c.volume);
+    EXPECT_NEAR(c.result.volume(), c.volume, 1e-12);
     EXPECT_TRUE(validate(c.result).empty());
   }
 }
