@@ -13,28 +13,26 @@
 namespace sectile::test {
 namespace {
 
-Solid unite(const Solid &a, const Solid &b) {
+Solid unite(const Solid& a, const Solid& b) {
   return boolean(a, b, Operation::unite);
 }
-Solid meet(const Solid &a, const Solid &b) {
+Solid meet(const Solid& a, const Solid& b) {
   return boolean(a, b, Operation::intersect);
 }
-Solid minus(const Solid &a, const Solid &b) {
+Solid minus(const Solid& a, const Solid& b) {
   return boolean(a, b, Operation::subtract);
 }
-Solid moved(const Solid &solid, const Vec3 &by) {
+Solid moved(const Solid& solid, const Vec3& by) {
   return transformed(solid, Transform::translation(by));
 }
 Solid cube(double low, double high) {
   return block({low, low, low}, {high, high, high});
 }
 
-void expect_volumes(const Solid &a, const Solid &b, double common) {
+void expect_volumes(const Solid& a, const Solid& b, double common) {
   const double va = a.volume(), vb = b.volume();
-  const Solid any = unite(a, b), both = meet(a, b), rest = minus(a, b),
-              other = minus(b, a);
-  for (const Solid *s : {&any, &both, &rest, &other})
-    EXPECT_TRUE(validate(*s).empty());
+  const Solid any = unite(a, b), both = meet(a, b), rest = minus(a, b), other = minus(b, a);
+  for (const Solid* s : {&any, &both, &rest, &other}) EXPECT_TRUE(validate(*s).empty());
   EXPECT_EQ(any.volume(), va + vb - common);
   EXPECT_EQ(both.volume(), common);
   EXPECT_EQ(both.is_empty(), common == 0);
@@ -42,11 +40,9 @@ void expect_volumes(const Solid &a, const Solid &b, double common) {
   EXPECT_EQ(other.volume(), vb - common);
 }
 
-Mask random_set(std::mt19937_64 &random, const Complex &complex) {
+Mask random_set(std::mt19937_64& random, const Complex& complex) {
   while (true)
-    if (const Mask mask = random() & (random() | random()) & complex.all();
-        mask != 0)
-      return mask;
+    if (const Mask mask = random() & (random() | random()) & complex.all(); mask != 0) return mask;
 }
 
 TEST(Families, SolidsWithThemselvesAndTheirParts) {
@@ -54,15 +50,12 @@ TEST(Families, SolidsWithThemselvesAndTheirParts) {
   const Complex complex = Complex::tetrahedra(2);
   for (int i = 0; i < 25; ++i) {
     const Mask mask = random_set(random, complex), part = mask & random();
-    const Solid a =
-        Solid::from_mesh(Boundary(complex, mask).mesh(Meshing::shared));
+    const Solid a = Solid::from_mesh(Boundary(complex, mask).mesh(Meshing::shared));
     EXPECT_EQ(unite(a, a), a);
     EXPECT_EQ(meet(a, a), a);
     EXPECT_TRUE(minus(a, a).is_empty());
-    if (part == 0 || part == mask)
-      continue;
-    const Solid p =
-        Solid::from_mesh(Boundary(complex, part).mesh(Meshing::own));
+    if (part == 0 || part == mask) continue;
+    const Solid p = Solid::from_mesh(Boundary(complex, part).mesh(Meshing::own));
     const Solid q = minus(a, p);
     EXPECT_EQ(unite(p, q), a);
     EXPECT_TRUE(meet(p, q).is_empty());
@@ -76,16 +69,14 @@ TEST(Families, SetsOfCellsAndTheirTranslatesByOneCell) {
   const Complex cubes = Complex::cubes(2);
   for (int i = 0; i < 60; ++i) {
     const Mask mask = random_set(random, cubes);
-    const Solid a =
-        Solid::from_mesh(Boundary(cubes, mask).mesh(all_meshings[i % 5]));
+    const Solid a = Solid::from_mesh(Boundary(cubes, mask).mesh(all_meshings[i % 5]));
     const int axis = i % 3;
     // Cells whose neighbour below along the axis is in the set as well.
     int common = 0;
     for (int c = 0; c < 8; ++c)
       if ((c >> axis & 1) != 0)
         common += Complex::has(mask, c) && Complex::has(mask, c - (1 << axis));
-    const Vec3 by{axis == 0 ? 1.0 : 0, axis == 1 ? 1.0 : 0,
-                  axis == 2 ? 1.0 : 0};
+    const Vec3 by{axis == 0 ? 1.0 : 0, axis == 1 ? 1.0 : 0, axis == 2 ? 1.0 : 0};
     expect_volumes(a, moved(a, by), common);
   }
 }
@@ -94,14 +85,12 @@ TEST(Families, BlocksThatMeetInAllTwentySixDirections) {
   for (int x = -1; x <= 1; ++x)
     for (int y = -1; y <= 1; ++y)
       for (int z = -1; z <= 1; ++z) {
-        if (x == 0 && y == 0 && z == 0)
-          continue;
+        if (x == 0 && y == 0 && z == 0) continue;
         const Solid other = moved(cube(0, 2), {2.0 * x, 2.0 * y, 2.0 * z});
         expect_volumes(cube(0, 2), other, 0);
         // Faces of unequal sizes, then an overlap.
         expect_volumes(moved(cube(0, 1), {0.5, 0.5, 0.5}), other, 0);
-        expect_volumes(cube(0, 2),
-                       moved(cube(0, 2), {1.0 * x, 1.0 * y, 1.0 * z}),
+        expect_volumes(cube(0, 2), moved(cube(0, 2), {1.0 * x, 1.0 * y, 1.0 * z}),
                        (x == 0 ? 2 : 1) * (y == 0 ? 2 : 1) * (z == 0 ? 2 : 1));
       }
 }
@@ -147,18 +136,15 @@ TEST(Families, FacesThatTouchThemselvesAndSlits) {
   Solid plate = block({0, 0, 0}, {8, 8, 1});
   double volume = 64;
   for (int i = 0; i < 4; ++i) {
-    plate = minus(plate,
-                  block({2.0 * i, 2.0 * i, -1}, {2.0 * i + 2, 2.0 * i + 2, 2}));
+    plate = minus(plate, block({2.0 * i, 2.0 * i, -1}, {2.0 * i + 2, 2.0 * i + 2, 2}));
     volume -= 4;
     EXPECT_TRUE(validate(plate).empty());
     EXPECT_EQ(plate.volume(), volume);
   }
-  expect_volumes(plate, block({1, 1, 0.25}, {7, 7, 0.75}),
-                 (36 - 4 * 2 - 2) * 0.5);
+  expect_volumes(plate, block({1, 1, 0.25}, {7, 7, 0.75}), (36 - 4 * 2 - 2) * 0.5);
   // Slits of one unit in the last place, filled again.
   const double thin = 0x1p-50;
-  const Solid slit = block({2, 0.5, -1}, {2 + thin, 7, 2}),
-              whole = block({0, 0, 0}, {8, 8, 1});
+  const Solid slit = block({2, 0.5, -1}, {2 + thin, 7, 2}), whole = block({0, 0, 0}, {8, 8, 1});
   const Solid cut = minus(whole, slit);
   EXPECT_TRUE(validate(cut).empty());
   EXPECT_EQ(cut.counts().genus, 1);
@@ -167,16 +153,14 @@ TEST(Families, FacesThatTouchThemselvesAndSlits) {
 
 TEST(Families, ToriThroughEachOther) {
   const Solid a = torus(4, 1, 16, 8);
-  const Solid b = moved(
-      transformed(a, Transform::rotation_degrees({1, 0, 0}, 90)), {4, 0, 0});
+  const Solid b = moved(transformed(a, Transform::rotation_degrees({1, 0, 0}, 90)), {4, 0, 0});
   const Solid both = unite(a, b);
   EXPECT_TRUE(meet(a, b).is_empty());
   EXPECT_TRUE(validate(both).empty());
   EXPECT_EQ(both.counts().shells, 2u);
   EXPECT_EQ(both.counts().genus, 2);
   EXPECT_EQ(minus(both, b), a);
-  const Solid crossing =
-      transformed(a, Transform::rotation_degrees({1, 0, 0}, 90));
+  const Solid crossing = transformed(a, Transform::rotation_degrees({1, 0, 0}, 90));
   const Solid common = meet(a, crossing), any = unite(a, crossing);
   EXPECT_TRUE(validate(common).empty());
   EXPECT_TRUE(validate(any).empty());
@@ -190,22 +174,19 @@ TEST(Families, CoordinatesOfVeryUnequalSizes) {
   struct Scale {
     int x, y, z;
   };
-  for (const Scale &e :
-       {Scale{-300, 300, 0}, Scale{300, 300, 300}, Scale{-300, -300, -300},
-        Scale{-1074, 500, 500}, Scale{0, 1000, -1000}}) {
-    const Transform scale = Transform::scaling(
-        {std::ldexp(1, e.x), std::ldexp(1, e.y), std::ldexp(1, e.z)});
+  for (const Scale& e : {Scale{-300, 300, 0}, Scale{300, 300, 300}, Scale{-300, -300, -300},
+                         Scale{-1074, 500, 500}, Scale{0, 1000, -1000}}) {
+    const Transform scale =
+        Transform::scaling({std::ldexp(1, e.x), std::ldexp(1, e.y), std::ldexp(1, e.z)});
     for (int i = 0; i < 12; ++i) {
-      const Mask p = random_set(random, complex),
-                 q = random_set(random, complex);
+      const Mask p = random_set(random, complex), q = random_set(random, complex);
       const PolygonMesh mesh_p = Boundary(complex, p).mesh(Meshing::shared),
                         mesh_q = Boundary(complex, q).mesh(Meshing::merged);
       const Solid a = Solid::from_mesh(mesh_p), b = Solid::from_mesh(mesh_q),
                   c = Solid::from_mesh(transformed(mesh_p, scale)),
                   d = Solid::from_mesh(transformed(mesh_q, scale));
       for (const Operation operation : all_operations) {
-        const Solid plain = boolean(a, b, operation),
-                    scaled = boolean(c, d, operation);
+        const Solid plain = boolean(a, b, operation), scaled = boolean(c, d, operation);
         const SolidCounts m = plain.counts(), n = scaled.counts();
         EXPECT_EQ(m.vertices, n.vertices);
         EXPECT_EQ(m.edges, n.edges);
@@ -230,10 +211,8 @@ TEST(Families, ChainsOfSetsOfTetrahedraStayExact) {
       const Operation operation = step % 8 == 7   ? Operation::intersect
                                   : step % 2 == 0 ? Operation::unite
                                                   : Operation::subtract;
-      solid = boolean(
-          solid,
-          Solid::from_mesh(Boundary(complex, tool).mesh(Meshing::shared)),
-          operation);
+      solid = boolean(solid, Solid::from_mesh(Boundary(complex, tool).mesh(Meshing::shared)),
+                      operation);
       mask = combined(mask, tool, operation);
       ASSERT_EQ(fault(solid, complex, mask, step % 8 == 0), "")
           << "seed " << seed << " step " << step;
@@ -241,5 +220,5 @@ TEST(Families, ChainsOfSetsOfTetrahedraStayExact) {
   }
 }
 
-} // namespace
-} // namespace sectile::test
+}  // namespace
+}  // namespace sectile::test

@@ -6,12 +6,10 @@
 namespace sectile {
 namespace {
 
-void expect_volumes(const Solid &a, const Solid &b, double common) {
-  const Solid any = boolean(a, b, Operation::unite),
-              both = boolean(a, b, Operation::intersect),
+void expect_volumes(const Solid& a, const Solid& b, double common) {
+  const Solid any = boolean(a, b, Operation::unite), both = boolean(a, b, Operation::intersect),
               rest = boolean(a, b, Operation::subtract);
-  for (const Solid *s : {&any, &both, &rest})
-    EXPECT_TRUE(validate(*s).empty());
+  for (const Solid* s : {&any, &both, &rest}) EXPECT_TRUE(validate(*s).empty());
   EXPECT_EQ(any.volume(), a.volume() + b.volume() - common);
   EXPECT_EQ(both.volume(), common);
   EXPECT_EQ(rest.volume(), a.volume() - common);
@@ -19,7 +17,7 @@ void expect_volumes(const Solid &a, const Solid &b, double common) {
 
 // In all four right-angled positions about the z axis, as the order of the work
 // depends on them.
-void expect_volumes_turned(const Solid &a, const Solid &b, double common) {
+void expect_volumes_turned(const Solid& a, const Solid& b, double common) {
   for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
     const Transform turn = Transform::rotation_degrees({0, 0, 1}, degrees);
     expect_volumes(transformed(a, turn), transformed(b, turn), common);
@@ -27,10 +25,9 @@ void expect_volumes_turned(const Solid &a, const Solid &b, double common) {
   }
 }
 
-Solid upside_down(const Solid &solid, double height) {
-  return transformed(
-      transformed(solid, Transform::rotation_degrees({1, 0, 0}, 180)),
-      Transform::translation({0, 0, height}));
+Solid upside_down(const Solid& solid, double height) {
+  return transformed(transformed(solid, Transform::rotation_degrees({1, 0, 0}, 180)),
+                     Transform::translation({0, 0, height}));
 }
 
 const Solid plate = block({-4, -4, 0}, {4, 4, 1});
@@ -38,8 +35,7 @@ const Solid plate = block({-4, -4, 0}, {4, 4, 1});
 TEST(SegmentsNotDividedWhereAnOperandTouchesItself, AnApexOnAFace) {
   // A pyramid of volume 8 stands with its apex in the middle of the plate's
   // top.
-  const Solid both =
-      boolean(plate, upside_down(pyramid(2, 3, 4), 4), Operation::unite);
+  const Solid both = boolean(plate, upside_down(pyramid(2, 3, 4), 4), Operation::unite);
   EXPECT_EQ(both.volume(), 64 + 8);
   EXPECT_EQ(both.counts().shells, 2u);
   // Faces that pass through the apex, and edges that end in it or run through
@@ -66,30 +62,24 @@ TEST(SegmentsNotDividedWhereAnOperandTouchesItself, AnEdgeOnAFace) {
   expect_volumes_turned(both, block({-3, -3, 0}, {3, 3, 1}), 36);
 }
 
-TEST(InnerLoopsLeftInTheWrongPartOfADividedFace,
-     ACutDividesTheFaceAndAnotherReachesItsHole) {
-  const Solid with_hole =
-      boolean(plate, block({1, 1, -1}, {2, 2, 2}), Operation::subtract);
+TEST(InnerLoopsLeftInTheWrongPartOfADividedFace, ACutDividesTheFaceAndAnotherReachesItsHole) {
+  const Solid with_hole = boolean(plate, block({1, 1, -1}, {2, 2, 2}), Operation::subtract);
   const Solid across = block({-1, -5, -1}, {0, 5, 2});
   // From the hole to the rim, within the hole's wall, and around the hole.
   const Solid to_rim = block({1.5, 1.25, -1}, {5, 1.75, 2});
   const Solid bite = block({1.5, 1.25, -1}, {3, 1.75, 2});
-  const Solid ring =
-      boolean(block({0.5, 0.5, -1}, {2.5, 2.5, 2}),
-              block({0.75, 0.75, -2}, {2.25, 2.25, 3}), Operation::subtract);
-  expect_volumes_turned(with_hole, boolean(across, to_rim, Operation::unite),
-                        8 + 1);
-  expect_volumes_turned(with_hole, boolean(across, bite, Operation::unite),
-                        8 + 0.5);
-  expect_volumes_turned(with_hole, boolean(across, ring, Operation::unite),
-                        8 + 4 - 2.25);
+  const Solid ring = boolean(block({0.5, 0.5, -1}, {2.5, 2.5, 2}),
+                             block({0.75, 0.75, -2}, {2.25, 2.25, 3}), Operation::subtract);
+  expect_volumes_turned(with_hole, boolean(across, to_rim, Operation::unite), 8 + 1);
+  expect_volumes_turned(with_hole, boolean(across, bite, Operation::unite), 8 + 0.5);
+  expect_volumes_turned(with_hole, boolean(across, ring, Operation::unite), 8 + 4 - 2.25);
 }
 
 TEST(InnerLoopsLeftInTheWrongPartOfADividedFace, HolesOnBothSidesOfTheCut) {
   Solid with_holes = plate;
   for (const double x : {-3.0, -1.5, 1.0, 2.5})
-    with_holes = boolean(with_holes, block({x, -0.25, -1}, {x + 0.5, 0.25, 2}),
-                         Operation::subtract);
+    with_holes =
+        boolean(with_holes, block({x, -0.25, -1}, {x + 0.5, 0.25, 2}), Operation::subtract);
   EXPECT_EQ(with_holes.volume(), 63);
   const Solid across = block({-0.5, -5, -1}, {0.5, 5, 2}),
               along = block({-5, -0.125, -1}, {5, 0.125, 2});
@@ -97,5 +87,5 @@ TEST(InnerLoopsLeftInTheWrongPartOfADividedFace, HolesOnBothSidesOfTheCut) {
                         8 + 7 * 0.25 - 4 * 0.5 * 0.25);
 }
 
-} // namespace
-} // namespace sectile
+}  // namespace
+}  // namespace sectile
