@@ -13,7 +13,8 @@ namespace sectile::viewer {
 namespace {
 
 // What is moved by the modeller itself comes to rest within as many frames.
-constexpr int most_frames_of_screenshot = 600;
+constexpr int most_frames_of_screenshot = 60;
+constexpr double seconds_per_frame_of_screenshot = 0.25;
 // After an event the interface needs some frames until it has settled.
 constexpr int frames_after_event = 3;
 
@@ -64,7 +65,7 @@ Image modeller_screenshot(const Arguments& arguments) {
   open_all(app, arguments);
   const auto settle = [&] {
     for (int i = 0; i < most_frames_of_screenshot; ++i) {
-      app.frame(Input{}, 1.0 / 60);
+      app.frame(Input{}, seconds_per_frame_of_screenshot);
       if (i >= frames_after_event && !app.needs_frame()) break;
     }
   };
