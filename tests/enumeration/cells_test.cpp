@@ -27,10 +27,12 @@ TEST(Cells, EverySubsetIsImportedExactly) {
 
 TEST(Cells, SomePairsOfAllMeshings) {
   const Complex cubes = Complex::cubes(2);
-  for (const Meshing a : all_meshings)
-    for (const Meshing b : all_meshings)
-      EXPECT_EQ(faults_of_pairs({cubes, a, b, true}, pairs_of_subsets(127)), Faults{})
-          << "meshings " << int(a) << ' ' << int(b);
+  for (const Meshing a : all_meshings) {
+    // Each meshing with the one after it.
+    const Meshing b = a == Meshing::merged ? Meshing::shared : Meshing(int(a) + 1);
+    EXPECT_EQ(faults_of_pairs({cubes, a, b, true}, pairs_of_subsets(127)), Faults{})
+        << "meshings " << int(a) << ' ' << int(b);
+  }
 }
 
 TEST(CellsExhaustive, AllPairsWithSharedVertices) {
