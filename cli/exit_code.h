@@ -1,4 +1,4 @@
-// What the program's exit status says; part of its interface (docs/cli.md).
+// What the program's exit status says; part of its interface (README.md).
 #pragma once
 
 namespace sectile::cli {

@@ -1,4 +1,4 @@
-// The command line program. Its interface is described in docs/cli.md.
+// The command line program. Its interface is described in README.md and by --help.
 #include <tbb/global_control.h>
 
 #include <csignal>

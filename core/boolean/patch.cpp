@@ -108,8 +108,7 @@ Patch load_whole(const SolidData& solid, Geometry& geometry) {
 class PartLoader {
  public:
   PartLoader(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry)
-      : solid_(solid),
-        from_(solid.brep),
+      : from_(solid.brep),
         edges_(3 * faces.size()),
         geometry_(solid.geometry, geometry, 3 * faces.size()) {
     for (const FaceId f : faces) load_face(f);
@@ -229,7 +228,6 @@ class PartLoader {
     }
   }
 
-  const SolidData& solid_;
   const Brep& from_;
   Patch patch_;
   IdMap edges_;
