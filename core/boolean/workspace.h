@@ -20,7 +20,7 @@ struct Workspace {
   Patch patch[2];
 
   // Reduction.
-  std::vector<Contact> contacts;  ///< ascending by entities
+  std::vector<Contact> contacts;  ///< ascending by entities, crossings last
   std::vector<PointId> places;    ///< the point of each place
   std::vector<SegmentRecord> records;
 

@@ -53,12 +53,15 @@ bool sided_half_edges(const Workspace& w, int solid, FaceId face, FaceId other,
 
 /// Steps 1 to 8 for all pairs; fills Workspace::contacts.
 ContactTable find_contacts(Workspace& w, const FacePairs& candidates);
-/// Gives contacts at the same point the same place.
-void find_places(Workspace& w);
+/// Gives contacts at the same point the same place; those before the first one keep theirs.
+void find_places(Workspace& w, std::size_t first_contact);
 /// Finds the segments between the contacts of each pair.
 void find_segments(Workspace& w, const ContactTable& table);
 /// Divides the segments at all places within them.
 void split_at_places(Workspace& w);
+/// Adds places where edges of one operand cross each other in a face of the other. Returns whether
+/// there are any.
+bool add_crossings(Workspace& w);
 /// Adds faces in which an operand touches itself along a segment.
 void add_touched_faces(Workspace& w, const ContactTable& table);
 

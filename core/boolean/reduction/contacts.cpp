@@ -259,7 +259,7 @@ ContactTable find_contacts(Workspace& w, const FacePairs& candidates) {
   }
   number_contacts(w, table);
   make_points(w);
-  find_places(w);
+  find_places(w, 0);
   return table;
 }
 

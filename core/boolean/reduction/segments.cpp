@@ -328,6 +328,7 @@ void reduce(Workspace& w, const FacePairs& candidates) {
   const ContactTable table = find_contacts(w, candidates);
   find_segments(w, table);
   split_at_places(w);
+  if (add_crossings(w)) split_at_places(w);
   add_touched_faces(w, table);
 }
 

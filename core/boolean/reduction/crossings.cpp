@@ -1,0 +1,120 @@
+// An operand may touch itself where two of its edges cross. If both lie in the plane of a face of
+// the other operand, no test of a pair has seen the point: it becomes a place here.
+#include <algorithm>
+
+#include "boolean/collect.h"
+#include "boolean/line.h"
+#include "boolean/reduction/contact_table.h"
+#include "geometry/probe.h"
+
+namespace sectile {
+namespace {
+
+struct Crossing {
+  std::uint32_t record[2];
+  Construction how;
+};
+
+// Segments of edges of solid s in the interior of faces of the other one.
+class CrossingEdges {
+ public:
+  CrossingEdges(const Workspace& w, int s) : w_(w), kernel_(w.tests()), s_(s) {
+    for (std::uint32_t i = 0; i < w.records.size(); ++i)
+      if (w.records[i].on[s].is_edge() && w.records[i].on[1 - s].is_face()) order_.push_back(i);
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](std::uint32_t i, std::uint32_t j) { return face(i) < face(j); });
+    for (std::size_t from = 0, to; from < order_.size(); from = to) {
+      for (to = from + 1; to < order_.size() && face(order_[to]) == face(order_[from]);) ++to;
+      if (to - from > 1) groups_.push_back(std::span(order_).subspan(from, to - from));
+    }
+  }
+
+  std::size_t groups() const { return groups_.size(); }
+
+  void operator()(std::size_t group, std::vector<Crossing>& out) const {
+    const std::span<const std::uint32_t> records = groups_[group];
+    std::vector<Box> boxes;
+    boxes.reserve(records.size());
+    for (const std::uint32_t r : records) boxes.push_back(box(r));
+    const BoxTree tree(boxes);
+    BoxTree::overlaps(tree, tree, [&](std::uint32_t i, std::uint32_t j) {
+      if (i < j) cross(records[i], records[j], out);
+    });
+  }
+
+ private:
+  FaceId face(std::uint32_t record) const { return w_.records[record].on[1 - s_].face(); }
+  HalfEdgeId half_edge(std::uint32_t record) const {
+    return Brep::half_edge(w_.records[record].on[s_].edge());
+  }
+  PointId end(std::uint32_t record, int which) const {
+    return w_.point(w_.records[record].place[which]);
+  }
+  Box box(std::uint32_t record) const {
+    Bounds bounds;
+    for (const int which : {0, 1}) bounds.add(w_.geometry.position(end(record, which)));
+    return bounds.box();
+  }
+  // A plane through the segment across the face.
+  PlaneId across(std::uint32_t record) const {
+    const auto [a, b] = line_planes(w_.patch[s_], half_edge(record));
+    return kernel_.parallel(w_.patch[1 - s_].plane(face(record)), a) ? b : a;
+  }
+  bool have_common_end(std::uint32_t i, std::uint32_t j) const {
+    for (const std::uint32_t p : w_.records[i].place)
+      for (const std::uint32_t q : w_.records[j].place)
+        if (p == q) return true;
+    return false;
+  }
+  bool is_crossed(std::uint32_t record, PlaneId plane) const {
+    return kernel_.side(end(record, 0), plane) * kernel_.side(end(record, 1), plane) ==
+           Sign::negative;
+  }
+
+  void cross(std::uint32_t i, std::uint32_t j, std::vector<Crossing>& out) const {
+    if (have_common_end(i, j) || !is_crossed(i, across(j)) || !is_crossed(j, across(i))) return;
+    out.push_back({{i, j}, edge_plane_construction(w_, s_, half_edge(i), across(j))});
+  }
+
+  const Workspace& w_;
+  const Kernel& kernel_;
+  int s_;
+  std::vector<std::uint32_t> order_;  // by face
+  std::vector<std::span<const std::uint32_t>> groups_;
+};
+
+void add_contacts(Workspace& w, const std::vector<Crossing>& crossings) {
+  const std::size_t first = w.contacts.size();
+  for (const Crossing& crossing : crossings) {
+    const ExactPoint exact = w.tests().exact(crossing.how);
+    const Vec3 position = rounded(exact);
+    const PointId point =
+        add_constructed(w.geometry, crossing.how, position, equals(exact, position));
+    for (const std::uint32_t record : crossing.record) {
+      Contact contact;
+      for (const int s : {0, 1}) contact.on[s] = w.records[record].on[s];
+      contact.point = point;
+      w.contacts.push_back(contact);
+    }
+  }
+  w.kernel->refresh();
+  find_places(w, first);
+}
+
+}  // namespace
+
+bool add_crossings(Workspace& w) {
+  std::vector<Crossing> crossings;
+  for (const int s : {0, 1}) {
+    const CrossingEdges edges(w, s);
+    using Found = std::vector<Crossing>;
+    for (const Found& found :
+         collect<Found>(edges.groups(), 1, [&](std::size_t i, Found&out) { edges(i, out); }))
+      append(crossings, found);
+  }
+  if (crossings.empty()) return false;
+  add_contacts(w, crossings);
+  return true;
+}
+
+}  // namespace sectile
