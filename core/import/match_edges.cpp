@@ -64,23 +64,36 @@ class Matcher {
       : polygons_(polygons),
         kernel_(kernel),
         input_vertex_(input_vertex),
+        buckets_(polygons),
         mate_(polygons.corners.size()) {}
 
-  std::vector<std::uint32_t> run() {
-    Buckets buckets(polygons_);
+  /// Pairs what runs both ways between two points.
+  void pair_plain() {
     tbb::enumerable_thread_specific<std::vector<Line>> odd;
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, buckets.count(), 1024),
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, buckets_.count(), 1024),
                       [&](const auto& range) {
                         for (std::uint32_t p = range.begin(); p < range.end(); ++p)
-                          match_bucket(PointId(p), buckets[p], odd.local());
+                          match_bucket(PointId(p), buckets_[p], odd.local());
                       });
-    std::vector<Line> lines;
-    for (const auto& some : odd) lines.insert(lines.end(), some.begin(), some.end());
-    std::sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) {
+    for (const auto& some : odd) lines_.insert(lines_.end(), some.begin(), some.end());
+    std::sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) {
       return std::pair(a.low, a.entries[0].high) < std::pair(b.low, b.entries[0].high);
     });
-    if (!lines.empty()) find_faces();
-    for (const Line& line : lines) match(line.low, line.entries);
+  }
+
+  /// The corners of half-edges of which more run one way than the other.
+  std::vector<std::uint32_t> open_corners() const {
+    std::vector<std::uint32_t> corners;
+    for (const Line& line : lines_)
+      if (2 * forward_count(line.entries) != line.entries.size())
+        for (const LineEntry& e : line.entries) corners.push_back(e.corner);
+    return corners;
+  }
+
+  /// Resolves all other lines into wedges.
+  std::vector<std::uint32_t> pair_wedges() {
+    if (!lines_.empty()) find_faces();
+    for (const Line& line : lines_) match(line.low, line.entries);
     return std::move(mate_);
   }
 
@@ -113,9 +126,13 @@ class Matcher {
           face_[i] = f;
   }
 
+  static std::size_t forward_count(std::span<const LineEntry> entries) {
+    return static_cast<std::size_t>(std::count_if(entries.begin(), entries.end(),
+                                                  [](const LineEntry& e) { return e.forward; }));
+  }
+
   void match(PointId low, std::span<LineEntry> entries) {
-    const auto forward = static_cast<std::size_t>(std::count_if(
-        entries.begin(), entries.end(), [](const LineEntry& e) { return e.forward; }));
+    const std::size_t forward = forward_count(entries);
     if (2 * forward != entries.size()) refuse(low, entries, forward);
     sort_around(low, entries);
     // Material lies between a backward half-plane and the forward one that follows it.
@@ -185,8 +202,7 @@ class Matcher {
       throw InvalidSolid(InvalidSolid::Reason::open,
                          "the surface is open: " + edge_in_words(low, first) + " of face " +
                              face_in_words(first) +
-                             " has no face on its other side; close the hole there, or, if another "
-                             "face has a corner on this edge, give this face the same corner",
+                             " has no face on its other side; close the hole there",
                          source(first), vertex(low));
     if (forward == 0 || forward == entries.size())
       throw InvalidSolid(InvalidSolid::Reason::inconsistent,
@@ -221,6 +237,8 @@ class Matcher {
   const Polygons& polygons_;
   const Kernel& kernel_;
   const std::vector<std::uint32_t>& input_vertex_;
+  Buckets buckets_;
+  std::vector<Line> lines_;
   std::vector<std::uint32_t> mate_;
   std::vector<std::uint32_t> face_;  // per corner, if it is needed
   int axis_ = -1;
@@ -229,9 +247,19 @@ class Matcher {
 
 }  // namespace
 
-std::vector<std::uint32_t> match_edges(const Polygons& polygons, const Kernel& kernel,
+std::vector<std::uint32_t> match_edges(Polygons& polygons, const Kernel& kernel,
                                        const std::vector<std::uint32_t>& input_vertex) {
-  return Matcher(polygons, kernel, input_vertex).run();
+  std::vector<std::uint32_t> open;
+  {
+    Matcher matcher(polygons, kernel, input_vertex);
+    matcher.pair_plain();
+    open = matcher.open_corners();
+    if (open.empty()) return matcher.pair_wedges();
+  }
+  divide_open_edges(polygons, kernel, open);
+  Matcher matcher(polygons, kernel, input_vertex);
+  matcher.pair_plain();
+  return matcher.pair_wedges();
 }
 
 }  // namespace sectile

@@ -83,10 +83,15 @@ void find_face_planes(Polygons& polygons, Geometry& geometry, Kernel& kernel);
 void split_face(const Kernel& kernel, const Polygons& polygons, std::size_t face, bool planar,
                 Polygons& result);
 
+/// Divides edges without a face on their other side at the ends of other such edges that lie on
+/// them. Returns whether there are any.
+bool divide_open_edges(Polygons& polygons, const Kernel& kernel,
+                       std::span<const std::uint32_t> open_corners);
+
 /// For each corner: the corner whose half-edge is the other half of its edge (each corner stands
 /// for the half-edge that leaves it). Lines with several edges are resolved into wedges of
-/// material.
-std::vector<std::uint32_t> match_edges(const Polygons& polygons, const Kernel& kernel,
+/// material. Faces get corners where their neighbours have some on a common edge.
+std::vector<std::uint32_t> match_edges(Polygons& polygons, const Kernel& kernel,
                                        const std::vector<std::uint32_t>& input_vertex);
 
 }  // namespace sectile

@@ -46,14 +46,6 @@ TEST(ImportRefusal, AMissingFace) {
                  {Reason::open, 1, 4, {"(0, 0, 1)", "(1, 0, 1)", "close the hole"}});
 }
 
-TEST(ImportRefusal, ACornerThatANeighbourLacks) {
-  std::vector<Vec3> positions = cube_mesh().positions;
-  positions.push_back({0.5, 0, 1});
-  Faces faces = faces_of(cube_mesh());
-  faces[1] = {4, 8, 5, 6, 7};
-  expect_refused(with_faces(positions, faces), {Reason::open, 2, 4, {"give this face the same"}});
-}
-
 TEST(ImportRefusal, ATurnedFace) {
   expect_refused(cube_with(1, {7, 6, 5, 4}),
                  {Reason::inconsistent, 1, 4, {"faces 1 and 2", "the same way", "turn one"}});

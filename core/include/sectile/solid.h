@@ -41,7 +41,8 @@ class Solid {
 
   /// Takes a closed, consistently oriented polygon soup that bounds a regular set: shared or
   /// duplicated vertices, non-manifold edges and vertices (resolved into wedges of material),
-  /// zero-area faces (removed), non-planar polygons (triangulated). Equal positions are one point.
+  /// zero-area faces (removed), non-planar polygons (triangulated), corners of one face within an
+  /// edge of its neighbour (the edge is divided). Equal positions are one point.
   /// Throws InvalidSolid.
   static Solid from_mesh(const PolygonMesh& mesh);
 
