@@ -320,15 +320,24 @@ Sign Kernel::side(PointId point, PlaneId plane) const {
   return value.decided() ? value.sign() : exact_side(point, plane);
 }
 
+namespace {
+
+// Is this one of the points through which the plane is laid?
+bool defines(const Geometry& geometry, const Vec3& p, const PlaneDefinition& plane) {
+  const PlaneDefinition::Kind kind = plane.kind();
+  if (kind == PlaneDefinition::Kind::coefficients) return false;
+  const auto is = [&](std::uint32_t id) { return geometry.position(PointId(id)) == p; };
+  return is(plane.a) || is(plane.b) ||
+         (kind == PlaneDefinition::Kind::three_points && is(plane.c));
+}
+
+}  // namespace
+
 Sign Kernel::exact_side(PointId point, PlaneId plane) const {
   const PlaneValue& s = value(plane);
   const Vec3& p = geometry_.position(point);
   if (geometry_.is_explicit(point)) {
-    const PlaneDefinition& how = geometry_.definition(plane);
-    if (how.kind() != PlaneDefinition::Kind::coefficients) {
-      const std::uint32_t id = point.value();
-      if (id == how.a || id == how.b || id == how.c) return Sign::zero;
-    }
+    if (defines(geometry_, p, geometry_.definition(plane))) return Sign::zero;
     if (s.exact) {
       const double a[4] = {s.n[0], s.n[1], s.n[2], s.d}, b[4] = {p.x, p.y, p.z, 1};
       return sign_of_dot(a, b, 4);
