@@ -106,7 +106,8 @@ class App::Implementation {
     io.DeltaTime = static_cast<float>(std::max(seconds, 1e-4));
     apply_style(session_.view.dark);
     const float menu = options_.show_interface ? 15 + 8 : 0;
-    layout_ = make_layout(io.DisplaySize.x, io.DisplaySize.y, menu, session_.mode() == Mode::steps);
+    layout_ = make_layout(io.DisplaySize.x, io.DisplaySize.y,
+                          {menu, session_.mode() == Mode::steps, session_.view.hints});
     if (!options_.show_interface) layout_.picture = {0, 0, io.DisplaySize.x, io.DisplaySize.y};
     session_.picture_size = {layout_.picture.width, layout_.picture.height};
   }
@@ -142,7 +143,7 @@ class App::Implementation {
     draw_menu_bar(context);
     draw_tool_bar(context);
     draw_scene_tree(context);
-    draw_properties(context);
+    if (layout_.properties.height > 0) draw_properties(context);
     if (session_.mode() == Mode::steps && layout_.inspector.width > 0) {
       draw_inspector(context);
       draw_time_line(context);

@@ -5,20 +5,25 @@
 
 namespace sectile::viewer {
 
-Layout make_layout(float width, float height, float menu_height, bool steps) {
+Layout make_layout(float width, float height, const LayoutOptions& options) {
   constexpr float tool_bar_height = 52, status_height = 26, time_line_height = 84;
+  const bool steps = options.steps;
   const float left = std::round(std::clamp(width * 0.21f, 232.0f, 320.0f));
   const float right = steps ? std::round(std::clamp(width * 0.29f, 270.0f, 440.0f)) : 0;
   const float bottom = steps ? time_line_height : 0;
-  const float top = menu_height + tool_bar_height;
+  const float top = options.menu_height + tool_bar_height;
   const float inner = std::max(1.0f, height - top - status_height - bottom);
-  const float tree_height = std::round(inner * 0.38f);
+  const float tree_height = steps ? inner : std::round(inner * 0.38f);
+  const float middle = std::max(1.0f, width - left - right);
+  // Two lines of text, or four where these wrap.
+  const float hints = !options.hints ? 0 : std::min(middle < 640 ? 84.0f : 52.0f, inner / 2);
 
   Layout layout;
-  layout.tool_bar = {0, menu_height, width, tool_bar_height};
+  layout.tool_bar = {0, options.menu_height, width, tool_bar_height};
   layout.tree = {0, top, left, tree_height};
   layout.properties = {0, top + tree_height, left, inner - tree_height};
-  layout.picture = {left, top, std::max(1.0f, width - left - right), inner};
+  layout.picture = {left, top, middle, inner - hints};
+  layout.hints = {left, top + inner - hints, middle, hints};
   layout.inspector = {width - right, top, right, inner};
   layout.time_line = {0, top + inner, width, bottom};
   layout.status = {0, height - status_height, width, status_height};

@@ -11,10 +11,15 @@ struct Rectangle {
 };
 
 struct Layout {
-  Rectangle tool_bar, tree, properties, picture, inspector, time_line, status;
+  Rectangle tool_bar, tree, properties, picture, hints, inspector, time_line, status;
 };
 
-/// `menu_height` is what ImGui's menu bar takes at the top.
-Layout make_layout(float width, float height, float menu_height, bool steps);
+struct LayoutOptions {
+  float menu_height = 0;  ///< what ImGui's menu bar takes at the top
+  bool steps = false;     ///< inspector and time line instead of the properties
+  bool hints = false;     ///< a strip below the picture
+};
+
+Layout make_layout(float width, float height, const LayoutOptions& options);
 
 }  // namespace sectile::viewer

@@ -13,6 +13,18 @@ void wrapped(const std::string& text) {
   ImGui::PopTextWrapPos();
 }
 
+// What the columns need without a scroll bar.
+float table_width(const Step& step) {
+  float width = 0;
+  for (std::size_t i = 0; i < step.columns.size(); ++i) {
+    float column = text_width(step.columns[i]);
+    for (const Row& row : step.table)
+      if (i < row.size()) column = std::max(column, text_width(row[i]));
+    width += column + 2 * ImGui::GetStyle().CellPadding.x + 1;
+  }
+  return width + 1;
+}
+
 void draw_table(PanelContext& context, const Step& step) {
   const int columns = static_cast<int>(step.columns.size());
   if (columns == 0 || step.table.empty()) return;
@@ -21,8 +33,9 @@ void draw_table(PanelContext& context, const Step& step) {
                                 ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollX |
                                 ImGuiTableFlags_NoSavedSettings;
   const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
-  const float height =
-      line * static_cast<float>(step.table.size() + 1) + ImGui::GetStyle().ScrollbarSize + 4;
+  const bool scrolls = table_width(step) > ImGui::GetContentRegionAvail().x;
+  const float height = line * static_cast<float>(step.table.size() + 1) + 2 +
+                       (scrolls ? ImGui::GetStyle().ScrollbarSize : 0);
   if (ImGui::BeginTable("codes", columns, flags, {0, height})) {
     for (const std::string& column : step.columns) ImGui::TableSetupColumn(column.c_str());
     // An ordinary row: columns become as wide as their names too.
@@ -73,7 +86,8 @@ void draw_inspector(PanelContext& context) {
   const bool has_sphere = !step->sphere.arcs.empty() || !step->sphere.marks.empty();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float sphere = has_sphere ? std::min(room.x, room.y * 0.46f) : 0;
-  ImGui::BeginChild("words", {0, room.y - sphere});
+  const float gap = has_sphere ? ImGui::GetStyle().ItemSpacing.y : 0;
+  ImGui::BeginChild("words", {0, room.y - sphere - gap});
   const std::string kind = title_of(step->phase) + "  \u00B7  " + step->kind;
   ImGui::PushFont(context.fonts.small);
   ImGui::TextDisabled("%s", kind.c_str());

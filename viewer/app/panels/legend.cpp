@@ -94,7 +94,7 @@ void draw_legend(PanelContext& context) {
   const std::vector<ColourKey> keys = keys_of(context);
   if (keys.empty()) return;
   const Rectangle& picture = context.layout.picture;
-  const float bottom = picture.y + picture.height - hint_strip_height(context) - 8;
+  const float bottom = picture.y + picture.height - 8;
   ImGui::SetNextWindowPos({picture.x + 8, bottom}, ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowBgAlpha(0.82f);
   ImGui::Begin("legend", nullptr,

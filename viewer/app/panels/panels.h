@@ -20,9 +20,6 @@ void draw_file_browser(PanelContext& context);
 void draw_questions(PanelContext& context);
 void draw_help(PanelContext& context);
 
-/// How high the hint strip stands over the lower edge of the picture; 0 if it is closed.
-float hint_strip_height(const PanelContext& context);
-
 /// The spherical picture of a step, as large as it fits.
 void draw_sphere(PanelContext& context, const SpherePicture& picture, float width, float height);
 

@@ -9,7 +9,7 @@
 namespace sectile::viewer {
 namespace {
 
-constexpr int shading_steps = 44;  ///< squares across the disc
+constexpr float shading_step = 10;  ///< between samples of a line
 
 class SphereDrawing {
  public:
@@ -43,23 +43,51 @@ class SphereDrawing {
   bool is_front(const glm::vec3& d) const { return glm::dot(d, towards_) >= 0; }
   Colour colour_of(int solid) const { return with_alpha(solid == 0 ? theme_.a : theme_.b, 1); }
 
-  /// Tints what lies inside A and inside B on the half that faces the viewer.
+  /// Tints what lies inside A and inside B on the half that faces the viewer, line by line.
   void shade() {
-    const float side = 2 * radius_ / shading_steps;
-    for (int row = 0; row < shading_steps; ++row)
-      for (int column = 0; column < shading_steps; ++column) {
-        const float x = (static_cast<float>(column) + 0.5f) * 2 / shading_steps - 1;
-        const float y = 1 - (static_cast<float>(row) + 0.5f) * 2 / shading_steps;
-        const float rest = 1 - x * x - y * y;
-        if (rest < 0.01f) continue;
-        const glm::vec3 d = x * right_ + y * up_ + std::sqrt(rest) * towards_;
-        const ImVec2 low{centre_.x + (x * radius_ - side / 2),
-                         centre_.y - (y * radius_ + side / 2)};
-        for (const int solid : {0, 1})
-          if (is_inside(picture_, solid, d))
-            draw_.AddRectFilled(low, {low.x + side, low.y + side},
-                                packed(with_alpha(colour_of(solid), 0.27f)));
-      }
+    for (const int solid : {0, 1})
+      for (float y = 0.5f - std::floor(radius_); y < radius_; y += 1) shade_line(solid, y);
+  }
+
+  bool is_inside_at(int solid, float x, float y) const {
+    const float u = x / radius_, v = y / radius_;
+    const float rest = std::max(0.0f, 1 - u * u - v * v);
+    return is_inside(picture_, solid, u * right_ + v * up_ + std::sqrt(rest) * towards_);
+  }
+
+  void shade_line(int solid, float y) {
+    const ImU32 tint = packed(with_alpha(colour_of(solid), 0.27f));
+    const float half = std::sqrt(radius_ * radius_ - y * y);
+    const int samples = std::max(2, static_cast<int>(std::ceil(half / shading_step)));
+    const float step = 2 * half / static_cast<float>(samples);
+    // Not on the rim itself, where both halves of the sphere meet.
+    float start = -half, last = -half + step / 8;
+    bool inside = is_inside_at(solid, last, y);
+    for (int i = 1; i <= samples; ++i) {
+      const bool at_end = i == samples;
+      const float x = at_end ? half - step / 8 : -half + step * static_cast<float>(i);
+      const bool now = is_inside_at(solid, x, y);
+      const float change = now == inside ? x : between(solid, last, x, y, inside);
+      if (inside && (now != inside || at_end)) fill(start, now != inside ? change : half, y, tint);
+      if (now != inside) start = change;
+      if (at_end && now && !inside) fill(start, half, y, tint);
+      inside = now;
+      last = x;
+    }
+  }
+
+  // Where a line leaves or enters a solid.
+  float between(int solid, float low, float high, float y, bool inside_at_low) const {
+    for (int i = 0; i < 6; ++i) {
+      const float middle = (low + high) / 2;
+      (is_inside_at(solid, middle, y) == inside_at_low ? low : high) = middle;
+    }
+    return (low + high) / 2;
+  }
+
+  void fill(float from, float to, float y, ImU32 tint) {
+    draw_.AddRectFilled({centre_.x + from, centre_.y - y - 0.5f},
+                        {centre_.x + to, centre_.y - y + 0.5f}, tint);
   }
 
   void draw_arc(const SpherePicture::Arc& arc, bool front) {
