@@ -77,7 +77,7 @@ TEST_F(HandlesTest, RingsTurnAndCountFullTurns) {
 }
 
 TEST_F(HandlesTest, TurnsKeepRightAnglesExact) {
-  const Handles world = handles(HandleMode::rotate);
+  const Handles world = handles(HandleMode::rotate, {{1, 2, 3}, {0, 0, 0}, {1, 1, 1}});
   HandleChange change;
   for (const glm::dvec3 axis : {glm::dvec3(1, 0, 0), {0, 1, 0}, {0, 0, 1}, {0, -1, 0}})
     for (const Vec3 start : {Vec3{0, 0, 0}, Vec3{90, 0, 0}, Vec3{0, 90, 90}, Vec3{0, 0, 180}}) {
@@ -97,10 +97,44 @@ TEST_F(HandlesTest, TurnsInATurnedParent) {
   HandleChange change;
   change.axis = {0, 0, 1};
   change.degrees = 30;
-  const Placement after = changed({}, parent, handles(HandleMode::rotate), change);
+  const Handles there = handles(HandleMode::rotate, {{5, 0, 0}, {0, 0, 0}, {1, 1, 1}});
+  const Placement after = changed({}, parent, there, change);
   const Vec3 x = (parent * after.transform())({1, 0, 0});
   EXPECT_NEAR(x.x - 5, std::cos(glm::radians(30.0)), 1e-12);
   EXPECT_NEAR(x.y, std::sin(glm::radians(30.0)), 1e-12);
+}
+
+TEST_F(HandlesTest, TurnAndScaleAboutTheirOwnPlace) {
+  const Placement start{{3, 2, 0}, {0, 0, 0}, {1, 1, 1}};
+  Handles there = handles(HandleMode::rotate, {{1, 2, 0}, {0, 0, 0}, {1, 1, 1}});
+  HandleChange change;
+  change.degrees = 90;
+  const Placement turned = changed(start, {}, there, change);
+  EXPECT_EQ(turned.position, (Vec3{1, 4, 0}));
+  EXPECT_EQ(turned.rotation, (Vec3{0, 0, 90}));
+  change = {};
+  change.scale = {2, 3, 1};
+  const Placement scaled = changed(start, {}, there, change);
+  EXPECT_EQ(scaled.position, (Vec3{5, 2, 0}));
+  EXPECT_EQ(scaled.scale, (Vec3{2, 3, 1}));
+}
+
+TEST_F(HandlesTest, GripsAreFound) {
+  for (const HandleMode mode : {HandleMode::move, HandleMode::rotate, HandleMode::scale})
+    for (const double azimuth : {-2.5, -1.0, 0.4, 2.0}) {
+      camera.azimuth = azimuth;
+      const Handles made = handles(mode, {{0.5, 0, 0}, {10, 20, 30}, {1, 1, 1}}, azimuth > 0);
+      const int first =
+          static_cast<int>(mode == HandleMode::rotate ? HandlePart::ring_x : HandlePart::axis_x);
+      const int count = mode == HandleMode::move ? 6 : 3;
+      for (int i = first; i < first + count; ++i) {
+        const auto part = static_cast<HandlePart>(i);
+        // A square seen from its side is a line that ends in the centre.
+        if (i >= 3 && i < 6 && std::abs(glm::dot(made.axes[i - 3], camera.forward())) < 0.2)
+          continue;
+        EXPECT_EQ(made.part_at(camera, seen(made.grip(part, camera)), size), part) << i;
+      }
+    }
 }
 
 TEST_F(HandlesTest, ScalesAlongOneAxisOrAll) {

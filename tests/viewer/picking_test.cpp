@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <random>
 
 #include "picture/surface_mesh.h"
@@ -121,6 +122,13 @@ Placement at(double x, double y, double z) {
   return {{x, y, z}, {0, 0, 0}, {1, 1, 1}};
 }
 
+// A drag against one solid that stands still.
+std::vector<Snap> snap(const SnapFeatures& dragged, const SnapFeatures& fixed, const Vec3& offset,
+                       double reach, const SnapDirections& directions = all_directions()) {
+  const SnapTargets targets(fixed);
+  return snap(dragged, {&targets}, offset, reach, directions).contacts;
+}
+
 TEST(Snapping, BlocksFindTheirCornerExactly) {
   const Solid inside = block({-0.05, -0.05, -0.05}, {0.05, 0.05, 0.05});
   const SnapFeatures fixed = snap_features(block({0.1, 0.1, 0.1}, {0.7, 0.9, 1.1}));
@@ -133,9 +141,9 @@ TEST(Snapping, BlocksFindTheirCornerExactly) {
   const std::vector<Snap> snaps = snap(dragged, fixed, offset, 0.01);
   ASSERT_EQ(snaps.size(), 1u);
   EXPECT_EQ(snaps[0].kind, Snap::Kind::vertex_vertex);
-  const Placement made = placed_by(start, {}, offset, snaps);
-  const Vec3 corner = made.transform()(*snaps[0].local);
-  EXPECT_EQ(corner, snaps[0].to);
+  const Landing made = placed_by(start, {}, offset, snaps);
+  EXPECT_TRUE(made.is_exact);
+  EXPECT_EQ(made.placement.transform()(*snaps[0].local), snaps[0].to);
 }
 
 TEST(Snapping, FacesBecomeFlush) {
@@ -147,7 +155,11 @@ TEST(Snapping, FacesBecomeFlush) {
   const std::vector<Snap> snaps = snap(dragged, snap_features(wall), offset, 0.02);
   ASSERT_EQ(snaps.size(), 1u);
   EXPECT_EQ(snaps[0].kind, Snap::Kind::face_face);
-  const Placement made = placed_by(start, {}, offset, snaps);
+  EXPECT_EQ(snaps[0].shown.size(), 8u) << "the four sides of the wall's face";
+  for (const Vec3& p : snaps[0].shown) EXPECT_EQ(p.x, 0.7);
+  const Landing landing = placed_by(start, {}, offset, snaps);
+  EXPECT_TRUE(landing.is_exact);
+  const Placement& made = landing.placement;
   EXPECT_EQ(made.transform()({-0.15, 0, 0}).x, 0.7);
   EXPECT_EQ(made.position.y, 0.123 + 0.01);
   // Exactly flush: one shell, and the walls of the contact are gone.
@@ -169,23 +181,103 @@ TEST(Snapping, KeepsToTheDirectionsOfTheDrag) {
   EXPECT_TRUE(along_y.empty());
 }
 
-TEST(Snapping, MovesAPointExactlyOntoATarget) {
+TEST(Snapping, TellsSlantedContactsFromExactOnes) {
+  const Solid roof =
+      transformed(block({-1, -1, -1}, {1, 1, 1}), Transform::rotation_degrees({1, 0, 0}, 30));
+  const SnapFeatures fixed = snap_features(roof);
+  const Placement start{{0, 0, 5}, {30, 0, 0}, {1, 1, 1}};
+  const SnapFeatures dragged =
+      snap_features(block({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}), start.transform());
+  const Vec3 normal = Transform::rotation_degrees({1, 0, 0}, 30)({0, 0, 1});
+  const Vec3 offset{0, 0.1 * normal.y, -5 + 1.51 * normal.z};
+  const auto snaps = snap(dragged, fixed, {0, 1.51 * normal.y, -5 + 1.51 * normal.z}, 0.05);
+  ASSERT_EQ(snaps.size(), 1u);
+  EXPECT_EQ(snaps[0].kind, Snap::Kind::face_face);
+  EXPECT_FALSE(snaps[0].is_expressible);
+  EXPECT_FALSE(placed_by(start, {}, offset, snaps).is_exact);
+  // Its sides are not slanted.
+  const auto beside = snap(dragged, fixed, {1.51, 0, -5}, 0.05, {{1, 0, 0}});
+  ASSERT_EQ(beside.size(), 1u);
+  EXPECT_TRUE(placed_by(start, {}, {1.51, 0, -5}, beside).is_exact);
+}
+
+TEST(Snapping, IsFastAgainstManyTriangles) {
+  const SnapTargets many(snap_features(sphere(1, 320, 160)));
+  const SnapFeatures dragged = snap_features(sphere(0.5, 32, 16));
+  const auto start = std::chrono::steady_clock::now();
+  int found = 0;
+  for (int i = 0; i < 20; ++i)
+    found += !snap(dragged, {&many}, {1.5 + 0.001 * i, 0, 0}, 0.02).contacts.empty();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  RecordProperty("milliseconds_per_search", std::to_string(seconds * 50));
+  EXPECT_GT(found, 0);
+  EXPECT_LT(seconds, 2) << "a search takes more than a tenth of a second";
+  EXPECT_TRUE(snap(many.features(), {&many}, {0.001, 0, 0}, 0.1).gave_up);
+}
+
+double& coordinate(Vec3& v, int i) {
+  return i == 0 ? v.x : i == 1 ? v.y : v.z;
+}
+
+/// Is there no position at all? Coordinates of the image grow with those of the position: it is so
+/// if the wanted one lies between the images of two neighbours. For parents turned by right angles.
+bool is_unreachable(const Placement& made, const Transform& parent, const Vec3& local,
+                    Vec3 target) {
+  for (int i = 0; i < 3; ++i)
+    for (int axis = 0; axis < 3; ++axis) {
+      if (parent.m[static_cast<std::size_t>(4 * axis + i)] == 0) continue;
+      const auto error = [&](double way) {
+        Placement beside = made;
+        double& p = coordinate(beside.position, i);
+        if (way != 0) p = std::nextafter(p, way);
+        Vec3 image = (parent * beside.transform())(local);
+        return coordinate(image, axis) - coordinate(target, axis);
+      };
+      if (error(0) != 0 && (error(HUGE_VAL) * error(0) < 0 || error(-HUGE_VAL) * error(0) < 0))
+        return true;
+    }
+  return false;
+}
+
+TEST(Snapping, MovesAPointExactlyOntoATargetOrSaysThatNoneDoes) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(-1, 1);
   const Transform parents[]{{}, Placement{{0.1, 0.2, 0.3}, {90, 0, 0}, {1, 1, 1}}.transform()};
-  int exact = 0;
-  for (int i = 0; i < 400; ++i) {
-    const Placement start{{any(random), any(random), any(random)}, {0, 90, 33}, {1, 2, 0.5}};
-    const Vec3 local{any(random), any(random), any(random)};
-    const Vec3 target{24 + any(random), 24 + any(random),
-                      24 + any(random)};  // as coarse as positions
-    const Transform& parent = parents[i % 2];
-    const Placement made = moved_onto(start, parent, local, target);
-    const Vec3 reached = (parent * made.transform())(local);
-    EXPECT_NEAR(reached.x, target.x, 1e-14);
-    exact += reached == target;
+  for (const double far : {24.0, 0.0}) {
+    int exact = 0, unreachable = 0;
+    for (int i = 0; i < 400; ++i) {
+      const Placement start{{any(random), any(random), any(random)}, {0, 90, 33}, {1, 2, 0.5}};
+      const Vec3 local{any(random), any(random), any(random)};
+      const Vec3 target{far + any(random), far + any(random), far + any(random)};
+      const Transform& parent = parents[i % 2];
+      const Landing made = moved_onto(start, parent, local, target);
+      const Vec3 reached = (parent * made.placement.transform())(local);
+      EXPECT_NEAR(reached.x, target.x, 1e-14);
+      EXPECT_EQ(made.is_exact, reached == target);
+      exact += made.is_exact;
+      unreachable += !made.is_exact && is_unreachable(made.placement, parent, local, target);
+    }
+    RecordProperty(far == 0 ? "exact_of_400_near" : "exact_of_400_far", exact);
+    // Where positions are no finer than targets, all are reached but those between two images;
+    // near the origin positions are often coarser.
+    EXPECT_EQ(exact + unreachable, 400) << far;
+    EXPECT_GE(exact, far == 0 ? 100 : 394) << far;
   }
-  EXPECT_GT(exact, 390);
+}
+
+TEST(Snapping, IsExactInTurnedParentsForOneCoordinate) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> any(-1, 1);
+  int exact = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Transform parent = Placement{{any(random), 0, 0}, {10, 20, 30}, {1, 1, 1}}.transform();
+    const Vec3 local{any(random), any(random), any(random)}, target{9 + any(random), 0, 0};
+    const Landing made = moved_onto({}, parent, local, target, {true, false, false});
+    exact += made.is_exact;
+    EXPECT_EQ((parent * made.placement.transform())(local).x == target.x, made.is_exact);
+  }
+  EXPECT_GT(exact, 180);
 }
 
 }  // namespace

@@ -2,10 +2,24 @@
 
 #include <algorithm>
 
-#include "app/placing.h"
 #include "scene/transforms.h"
 
 namespace sectile::viewer {
+namespace {
+
+/// A box around the moved corners of a box.
+Bounds moved(const Bounds& bounds, const glm::dmat4& by) {
+  Bounds result;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec4 p(corner & 1 ? bounds.high.x : bounds.low.x,
+                       corner & 2 ? bounds.high.y : bounds.low.y,
+                       corner & 4 ? bounds.high.z : bounds.low.z, 1);
+    result.add(glm::dvec3(by * p));
+  }
+  return result;
+}
+
+}  // namespace
 
 Session::Session(const std::filesystem::path& data_folder, bool dark) : document(data_folder) {
   view.dark = dark;

@@ -1,7 +1,7 @@
 // What changes the scene: adding, combining, grouping, removing.
 #include <algorithm>
+#include <cmath>
 
-#include "app/placing.h"
 #include "app/session.h"
 #include "app/words.h"
 

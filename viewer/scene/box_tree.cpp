@@ -18,6 +18,7 @@ BoxTree::BoxTree(const std::vector<FloatBox>& items) : order_(items.size()) {
   nodes_.reserve(items.size());
   nodes_.emplace_back();
   build(0, 0, static_cast<std::uint32_t>(items.size()), items);
+  box_ = nodes_.front().box;
 }
 
 void BoxTree::build(std::uint32_t node, std::uint32_t first, std::uint32_t last,

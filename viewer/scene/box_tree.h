@@ -1,4 +1,4 @@
-// A tree of boxes over small things (triangles, edges), for rays.
+// A tree of boxes over small things (triangles, edges), for rays and for boxes.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,36 @@ struct FloatBox {
   glm::vec3 low{1e30f}, high{-1e30f};
   void add(const glm::vec3& p) { low = glm::min(low, p), high = glm::max(high, p); }
   void add(const FloatBox& b) { low = glm::min(low, b.low), high = glm::max(high, b.high); }
+  bool meets(const FloatBox& b) const {
+    return glm::all(glm::lessThanEqual(low, b.high)) && glm::all(glm::lessThanEqual(b.low, high));
+  }
 };
 
 class BoxTree {
  public:
+  BoxTree() = default;
   explicit BoxTree(const std::vector<FloatBox>& items);
+
+  const FloatBox& box() const { return box_; }  ///< around all
+
+  /// Calls visit(item) for the items of all leaves whose box comes within `margin` of a box.
+  template <class Visit>
+  void near(const FloatBox& place, double margin, Visit&& visit) const {
+    if (nodes_.empty()) return;
+    const FloatBox wide{place.low - static_cast<float>(margin),
+                        place.high + static_cast<float>(margin)};
+    std::uint32_t stack[64];
+    int top = 0;
+    stack[top++] = 0;
+    while (top > 0) {
+      const BoxNode& node = nodes_[stack[--top]];
+      if (!node.box.meets(wide)) continue;
+      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) visit(order_[i]);
+      if (node.count > 0) continue;
+      stack[top++] = node.first;
+      stack[top++] = node.first + 1;
+    }
+  }
 
   /// Calls visit(item) for the items of all leaves whose box comes within `margin` of the line
   /// origin + t·direction for some t from 0 to the value that `limit` has then; near ones first.
@@ -54,6 +79,7 @@ class BoxTree {
   void build(std::uint32_t node, std::uint32_t first, std::uint32_t last,
              const std::vector<FloatBox>& items);
 
+  FloatBox box_;
   std::vector<BoxNode> nodes_;
   std::vector<std::uint32_t> order_;
 };

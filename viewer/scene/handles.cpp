@@ -21,7 +21,7 @@ bool is_plane(HandlePart part) {
   return part >= HandlePart::plane_x && part <= HandlePart::plane_z;
 }
 int axis_of(HandlePart part) {
-  return static_cast<int>(part) % 3;
+  return static_cast<int>(part) % 3;  // of the centre: 0, which nobody uses
 }
 
 HandlePart part_of(HandlePart first, int axis) {
@@ -100,6 +100,19 @@ std::optional<HandlePart> Handles::part_at(const Camera& camera, glm::dvec2 pixe
       offer(part_of(HandlePart::plane_x, i), seen(*hit).z);
   }
   return found;
+}
+
+glm::dvec3 Handles::grip(HandlePart part, const Camera& camera) const {
+  const int axis = axis_of(part);
+  const glm::dvec3 u = axes[(axis + 1) % 3], v = axes[(axis + 2) % 3];
+  if (part == HandlePart::centre) return origin;
+  if (is_axis(part)) return origin + 0.95 * size * axes[axis];
+  if (is_plane(part)) return origin + 0.5 * (plane_from + plane_to) * size * (u + v);
+  // Rings cross each other on the axes: half way between is free. In front, for the rest is hidden.
+  glm::dvec3 nearest = u + v;
+  for (const glm::dvec3& corner : {u - v, v - u, -u - v})
+    if (glm::dot(corner - nearest, camera.forward()) < 0) nearest = corner;
+  return origin + size * glm::normalize(nearest);
 }
 
 HandleDrag::HandleDrag(const Handles& handles, HandlePart part, const Ray& start,
@@ -227,6 +240,17 @@ Placement turned(const Placement& start, const glm::dvec3& axis, double degrees)
   return made;
 }
 
+/// Where a point of the world goes when the space around the handles is turned and scaled.
+glm::dvec3 carried(const glm::dvec3& point, const Handles& handles, const HandleChange& change) {
+  const glm::dvec3 away = point - handles.origin;
+  if (away == glm::dvec3(0)) return point;
+  const Transform turn = Transform::rotation_degrees(from_glm(change.axis), change.degrees);
+  glm::dvec3 scaled(0);
+  for (int i = 0; i < 3; ++i)
+    scaled += handles.axes[i] * (change.scale[i] * glm::dot(handles.axes[i], away));
+  return handles.origin + to_glm(turn(from_glm(change.scale == glm::dvec3(1) ? away : scaled)));
+}
+
 }  // namespace
 
 Placement changed(const Placement& start, const Transform& parent, const Handles& handles,
@@ -235,8 +259,11 @@ Placement changed(const Placement& start, const Transform& parent, const Handles
   Placement made = start;
   if (change.degrees != 0)
     made = turned(made, glm::normalize(to_parent * change.axis), change.degrees);
-  if (change.move != glm::dvec3(0)) {
-    const glm::dvec3 by = to_parent * change.move;
+  const Transform world = parent * start.transform();
+  const glm::dvec3 origin(world.m[3], world.m[7], world.m[11]);
+  const glm::dvec3 move = change.move + carried(origin, handles, change) - origin;
+  if (move != glm::dvec3(0)) {
+    const glm::dvec3 by = to_parent * move;
     made.position = {start.position.x + by.x, start.position.y + by.y, start.position.z + by.z};
   }
   if (change.scale != glm::dvec3(1)) {

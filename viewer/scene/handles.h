@@ -39,6 +39,8 @@ struct Handles {
   /// What is within `reach` pixels of a pixel, the nearest to the eye first.
   std::optional<HandlePart> part_at(const Camera& camera, glm::dvec2 pixel, glm::dvec2 picture_size,
                                     double reach = 7) const;
+  /// A place at which part_at finds the part, unless one nearer to the eye is before it.
+  glm::dvec3 grip(HandlePart part, const Camera& camera) const;
 };
 
 /// What to draw, on top of all; `active` is shown brighter.
@@ -83,7 +85,8 @@ class HandleDrag {
 
 /// A placement after a change. Moves in a parent that is not turned, turns about axes that the
 /// order of rotations leaves free, and right angles are exact. Scale factors go to
-/// the axes of the node that are nearest to the axes of the handles.
+/// the axes of the node that are nearest to the axes of the handles. What is turned or scaled also
+/// moves if the handles do not stand at its own origin.
 Placement changed(const Placement& start, const Transform& parent, const Handles& handles,
                   const HandleChange& change);
 

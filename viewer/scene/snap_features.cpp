@@ -64,13 +64,54 @@ void add_faces(const PolygonMesh& mesh, const std::vector<glm::dvec3>& normals, 
     const std::uint32_t corner = mesh.indices[3 * t];
     const Vec3& first = mesh.positions[corner];
     if (is_new)
-      made.faces.push_back({first, local[corner], from_glm(normals[region]), first, first});
+      made.faces.push_back({first, local[corner], from_glm(normals[region]), first, first, 0});
     for (std::uint32_t i = 0; i < 3; ++i)
       grow(made.faces[place->second], mesh.positions[mesh.indices[3 * t + i]]);
   }
 }
 
 }  // namespace
+
+void SnapFeatures::add(const SnapFeatures& more, std::uint32_t part) {
+  const auto append = [part](auto& all, auto added) {
+    for (auto& feature : added) feature.part = part;
+    all.insert(all.end(), added.begin(), added.end());
+  };
+  append(vertices, more.vertices);
+  append(edges, more.edges);
+  append(faces, more.faces);
+}
+
+SnapTargets::SnapTargets(SnapFeatures all) : features_(std::move(all)) {
+  std::vector<FloatBox> vertices, edges, faces;
+  const auto add = [](std::vector<FloatBox>& boxes, const Vec3& a, const Vec3& b) {
+    boxes.emplace_back().add(glm::vec3(to_glm(a)));
+    boxes.back().add(glm::vec3(to_glm(b)));
+  };
+  for (const auto& v : features_.vertices) add(vertices, v.point, v.point);
+  for (const auto& e : features_.edges) add(edges, e.from, e.to);
+  for (const auto& f : features_.faces) add(faces, f.low, f.high);
+  vertices_ = BoxTree(vertices);
+  edges_ = BoxTree(edges);
+  faces_ = BoxTree(faces);
+}
+
+std::vector<Vec3> SnapTargets::outline(const SnapFeatures::Face& face) const {
+  const glm::dvec3 n = to_glm(face.normal), low = to_glm(face.low), high = to_glm(face.high);
+  const double thin = 1e-6 * glm::length(high - low);
+  const auto is_on = [&](const Vec3& p) {
+    return std::abs(glm::dot(to_glm(p) - to_glm(face.point), n)) <= thin;
+  };
+  FloatBox box;
+  box.add(glm::vec3(low));
+  box.add(glm::vec3(high));
+  std::vector<Vec3> ends;
+  edges_.near(box, thin, [&](std::uint32_t i) {
+    const SnapFeatures::Edge& edge = features_.edges[i];
+    if (is_on(edge.from) && is_on(edge.to)) ends.insert(ends.end(), {edge.from, edge.to});
+  });
+  return ends;
+}
 
 SnapFeatures snap_features(const Solid& inside, const Transform& world) {
   PolygonMesh mesh = inside.to_mesh();
@@ -94,10 +135,10 @@ SnapFeatures snap_features(const Solid& inside, const Transform& world) {
     }
     is_end[sides[i].low] = is_end[sides[i].high] = true;
     made.edges.push_back(
-        {mesh.positions[sides[i].low], mesh.positions[sides[i].high], local[sides[i].low]});
+        {mesh.positions[sides[i].low], mesh.positions[sides[i].high], local[sides[i].low], 0});
   }
   for (std::size_t v = 0; v < is_end.size(); ++v)
-    if (is_end[v]) made.vertices.push_back({mesh.positions[v], local[v]});
+    if (is_end[v]) made.vertices.push_back({mesh.positions[v], local[v], 0});
   add_faces(mesh, normals, regions, local, made);
   return made;
 }

@@ -11,6 +11,8 @@ namespace sectile::viewer {
 namespace {
 
 constexpr double parallel = 1 - 1e-9;
+// Comparisons for one search: some milliseconds.
+constexpr int most_comparisons = 200'000;
 
 /// A contact that a further move would make.
 struct Candidate {
@@ -18,7 +20,12 @@ struct Candidate {
   glm::dvec3 step;      // further than `offset`
   glm::dvec3 from, to;  // where the dragged point stands before the drag, and comes to be
   std::optional<Vec3> local;
+  std::uint32_t part = 0;
   std::array<bool, 3> fixed{true, true, true};
+  bool is_expressible = true;
+  std::size_t target = 0;
+  const SnapFeatures::Edge* edge = nullptr;  // of the solid standing still
+  const SnapFeatures::Face* face = nullptr;
   double cost = 0;
 };
 
@@ -38,6 +45,20 @@ int rank(Snap::Kind kind) {
   }
 }
 
+FloatBox box_around(const glm::dvec3& a, const glm::dvec3& b) {
+  FloatBox box;
+  box.add(glm::vec3(a));
+  box.add(glm::vec3(b));
+  return box;
+}
+
+/// The axis that a direction is, or -1.
+int axis_of(const glm::dvec3& d) {
+  for (int i = 0; i < 3; ++i)
+    if (d[(i + 1) % 3] == 0 && d[(i + 2) % 3] == 0) return i;
+  return -1;
+}
+
 class Search {
  public:
   Search(const glm::dvec3& offset, double reach, const SnapDirections& directions)
@@ -45,45 +66,34 @@ class Search {
     for (const Vec3& d : directions) directions_.push_back(to_glm(d));
   }
 
-  void run(const SnapFeatures& dragged, const SnapFeatures& fixed) {
-    const SnapFeatures near_dragged = near(dragged, fixed, offset_);
-    const SnapFeatures near_fixed = near(fixed, dragged, -offset_);
-    for (const auto& v : near_dragged.vertices) {
-      const glm::dvec3 from = to_glm(v.point), now = from + offset_;
-      for (const auto& w : near_fixed.vertices)
-        point(Snap::Kind::vertex_vertex, from, v.local, to_glm(w.point));
-      for (const auto& e : near_fixed.edges)
-        if (const auto foot = foot_on(e, now)) point(Snap::Kind::vertex_edge, from, v.local, *foot);
-      for (const auto& f : near_fixed.faces)
-        plane(Snap::Kind::vertex_face, from, v.local, to_glm(f.point), f, to_glm(f.normal),
-              glm::dvec3(0));
-    }
-    for (const auto& e : near_dragged.edges) edge(e, near_fixed);
-    for (const auto& f : near_dragged.faces) face(f, near_fixed);
+  void run(const SnapFeatures& dragged, const SnapTargets& fixed, std::size_t target) {
+    target_ = target;
+    all_ = fixed.vertices().box();
+    all_.add(fixed.faces().box());
+    for (const auto& v : dragged.vertices) vertex(v, fixed);
+    for (const auto& e : dragged.edges) edge(e, fixed);
+    for (const auto& f : dragged.faces) face(f, fixed);
   }
 
   const std::optional<Candidate>& best() const { return best_; }
+  bool gave_up() const { return comparisons_ > most_comparisons; }
 
  private:
-  /// Only what can come into reach is compared.
-  SnapFeatures near(const SnapFeatures& all, const SnapFeatures& other,
-                    const glm::dvec3& by) const {
-    glm::dvec3 low(1e300), high(-1e300);
-    for (const auto& f : other.faces)
-      low = glm::min(low, to_glm(f.low)), high = glm::max(high, to_glm(f.high));
-    low -= reach_ + by, high += reach_ - by;
-    const auto inside = [&](const glm::dvec3& a, const glm::dvec3& b) {
-      return glm::all(glm::lessThanEqual(glm::min(a, b), high)) &&
-             glm::all(glm::greaterThanEqual(glm::max(a, b), low));
-    };
-    SnapFeatures kept;
-    for (const auto& v : all.vertices)
-      if (inside(to_glm(v.point), to_glm(v.point))) kept.vertices.push_back(v);
-    for (const auto& e : all.edges)
-      if (inside(to_glm(e.from), to_glm(e.to))) kept.edges.push_back(e);
-    for (const auto& f : all.faces)
-      if (inside(to_glm(f.low), to_glm(f.high))) kept.faces.push_back(f);
-    return kept;
+  /// Where a dragged thing stands after the offset, and twice the reach around: nearer than the
+  /// reach is nearer than that in all coordinates. The second half is for the roundings of floats.
+  template <class Visit>
+  void near(const glm::dvec3& a, const glm::dvec3& b, const BoxTree& tree, Visit&& visit) {
+    const FloatBox box = box_around(a + offset_, b + offset_);
+    if (gave_up() || !is_near(box)) return;
+    ++comparisons_;
+    tree.near(box, 2 * reach_, [&](std::uint32_t i) {
+      if (++comparisons_ <= most_comparisons) visit(i);
+    });
+  }
+
+  bool is_near(const FloatBox& box) const {
+    const float margin = static_cast<float>(2 * reach_);
+    return all_.meets({box.low - margin, box.high + margin});
   }
 
   std::optional<glm::dvec3> foot_on(const SnapFeatures::Edge& e, const glm::dvec3& p) const {
@@ -102,6 +112,7 @@ class Search {
 
   void propose(Candidate candidate) {
     candidate.cost = glm::length(candidate.step);
+    candidate.target = target_;
     if (candidate.cost > reach_) return;
     const auto better = [](const Candidate& a, const Candidate& b) {
       return rank(a.kind) != rank(b.kind) ? rank(a.kind) < rank(b.kind) : a.cost < b.cost;
@@ -110,34 +121,76 @@ class Search {
   }
 
   void point(Snap::Kind kind, const glm::dvec3& from, const std::optional<Vec3>& local,
-             const glm::dvec3& to) {
-    const glm::dvec3 step = to - (from + offset_);
-    if (allowed(step)) propose({kind, step, from, to, local});
+             std::uint32_t part, const glm::dvec3& to, const SnapFeatures::Edge* on = nullptr) {
+    Candidate made{kind, to - (from + offset_), from, to, local, part};
+    if (!allowed(made.step)) return;
+    made.edge = on;
+    if (on) {
+      const int along = axis_of(to_glm(on->to) - to_glm(on->from));
+      made.is_expressible = along >= 0;
+      if (along >= 0) made.fixed[static_cast<std::size_t>(along)] = false;
+    }
+    propose(made);
   }
 
-  void edge(const SnapFeatures::Edge& e, const SnapFeatures& fixed) {
-    const glm::dvec3 a = to_glm(e.from) + offset_, d = to_glm(e.to) - to_glm(e.from);
+  void vertex(const SnapFeatures::Vertex& v, const SnapTargets& fixed) {
+    const glm::dvec3 from = to_glm(v.point);
+    const SnapFeatures& all = fixed.features();
+    near(from, from, fixed.vertices(), [&](std::uint32_t i) {
+      point(Snap::Kind::vertex_vertex, from, v.local, v.part, to_glm(all.vertices[i].point));
+    });
+    near(from, from, fixed.edges(), [&](std::uint32_t i) {
+      if (const auto foot = foot_on(all.edges[i], from + offset_))
+        point(Snap::Kind::vertex_edge, from, v.local, v.part, *foot, &all.edges[i]);
+    });
+    near(from, from, fixed.faces(), [&](std::uint32_t i) {
+      const auto& f = all.faces[i];
+      plane(Snap::Kind::vertex_face, from, v.local, v.part, to_glm(f.point), f, to_glm(f.normal),
+            glm::dvec3(0), &f);
+    });
+  }
+
+  void edge(const SnapFeatures::Edge& e, const SnapTargets& fixed) {
+    const glm::dvec3 from = to_glm(e.from), d = to_glm(e.to) - from, a = from + offset_;
     const double length = glm::dot(d, d);
-    for (const auto& v : fixed.vertices) {
-      const double t = glm::dot(to_glm(v.point) - a, d) / length;
-      if (t >= 0 && t <= 1)
-        point(Snap::Kind::edge_vertex, a + d * t - offset_, std::nullopt, to_glm(v.point));
-    }
-    for (const auto& other : fixed.edges) {
+    const SnapFeatures& all = fixed.features();
+    near(from, to_glm(e.to), fixed.vertices(), [&](std::uint32_t i) {
+      const glm::dvec3 to = to_glm(all.vertices[i].point);
+      const double t = glm::dot(to - a, d) / length;
+      if (t >= 0 && t <= 1) edge_onto_vertex(e, d, a + d * t - offset_, to);
+    });
+    near(from, to_glm(e.to), fixed.edges(), [&](std::uint32_t i) {
+      const auto& other = all.edges[i];
       const glm::dvec3 b = to_glm(other.from), c = to_glm(other.to) - b;
-      if (std::abs(glm::dot(glm::normalize(c), glm::normalize(d))) < parallel) continue;
-      const glm::dvec3 foot = b + c * (glm::dot(a - b, c) / glm::dot(c, c));
+      if (std::abs(glm::dot(glm::normalize(c), glm::normalize(d))) < parallel) return;
       const double t0 = glm::dot(a - b, c) / glm::dot(c, c);
       const double t1 = glm::dot(a + d - b, c) / glm::dot(c, c);
-      if (std::max(t0, t1) < 0 || std::min(t0, t1) > 1) continue;  // beside each other
-      point(Snap::Kind::edge_edge, to_glm(e.from), e.local, foot);
+      if (std::max(t0, t1) < 0 || std::min(t0, t1) > 1) return;  // beside each other
+      point(Snap::Kind::edge_edge, from, e.local, e.part, b + c * t0, &other);
+    });
+  }
+
+  // Any point of an edge along an axis has the two coordinates that count; on a slanted one there
+  // may be no double.
+  void edge_onto_vertex(const SnapFeatures::Edge& e, const glm::dvec3& direction,
+                        const glm::dvec3& from, const glm::dvec3& to) {
+    const int along = axis_of(direction);
+    Candidate made{Snap::Kind::edge_vertex, to - (from + offset_), from, to, std::nullopt, e.part};
+    if (!allowed(made.step)) return;
+    made.is_expressible = along >= 0;
+    if (along >= 0) {
+      made.fixed[static_cast<std::size_t>(along)] = false;
+      made.local = e.local;
+      made.from = to_glm(e.from);
     }
+    propose(made);
   }
 
   /// Moves a point of the dragged solid onto a plane, along the directions that are free, if that
   /// is beside `box`.
-  void plane(Snap::Kind kind, const glm::dvec3& from, const Vec3& local, const glm::dvec3& on_plane,
-             const SnapFeatures::Face& box, const glm::dvec3& n, const glm::dvec3& dragged_extent) {
+  void plane(Snap::Kind kind, const glm::dvec3& from, const Vec3& local, std::uint32_t part,
+             const glm::dvec3& on_plane, const SnapFeatures::Face& box, const glm::dvec3& n,
+             const glm::dvec3& dragged_extent, const SnapFeatures::Face* shown) {
     glm::dvec3 free(0);
     for (const glm::dvec3& d : directions_) free += d * glm::dot(n, d);
     const double along = glm::dot(free, n);
@@ -148,33 +201,63 @@ class Search {
     if (glm::any(glm::lessThan(there, to_glm(box.low) - margin)) ||
         glm::any(glm::greaterThan(there, to_glm(box.high) + margin)))
       return;
-    Candidate made{kind, step, from, there, local};
-    for (int i = 0; i < 3; ++i)
-      if (std::abs(n[i]) == 1) {
-        made.to[i] = on_plane[i];
-        for (int j = 0; j < 3; ++j) made.fixed[static_cast<std::size_t>(j)] = j == i;
-      }
+    Candidate made{kind, step, from, there, local, part};
+    made.face = shown;
+    const int axis = axis_of(n);
+    made.is_expressible = axis >= 0;
+    if (axis >= 0) {
+      made.to[axis] = on_plane[axis];
+      made.fixed = {axis == 0, axis == 1, axis == 2};
+    }
     propose(made);
   }
 
-  void face(const SnapFeatures::Face& f, const SnapFeatures& fixed) {
+  void face(const SnapFeatures::Face& f, const SnapTargets& fixed) {
     const glm::dvec3 n = to_glm(f.normal), from = to_glm(f.point);
     const glm::dvec3 extent = to_glm(f.high) - to_glm(f.low);
-    for (const auto& other : fixed.faces)
+    const SnapFeatures& all = fixed.features();
+    near(to_glm(f.low), to_glm(f.high), fixed.faces(), [&](std::uint32_t i) {
+      const auto& other = all.faces[i];
       if (glm::dot(n, to_glm(other.normal)) < -parallel)
-        plane(Snap::Kind::face_face, from, f.local, to_glm(other.point), other,
-              to_glm(other.normal), extent);
-    for (const auto& v : fixed.vertices) {
+        plane(Snap::Kind::face_face, from, f.local, f.part, to_glm(other.point), other,
+              to_glm(other.normal), extent, &other);
+    });
+    near(to_glm(f.low), to_glm(f.high), fixed.vertices(), [&](std::uint32_t i) {
+      const auto& v = all.vertices[i];
       const SnapFeatures::Face at{v.point, v.point, f.normal, v.point, v.point};
-      plane(Snap::Kind::face_vertex, from, f.local, to_glm(v.point), at, n, extent);
-    }
+      plane(Snap::Kind::face_vertex, from, f.local, f.part, to_glm(v.point), at, n, extent,
+            nullptr);
+    });
   }
 
   const glm::dvec3 offset_;
   const double reach_;
   std::vector<glm::dvec3> directions_;
   std::optional<Candidate> best_;
+  std::size_t target_ = 0;
+  FloatBox all_;  // of the target
+  int comparisons_ = 0;
 };
+
+Snap snap_of(const Candidate& best, const glm::dvec3& offset, const SnapTargets& target) {
+  Snap made{best.kind, from_glm(offset), from_glm(best.from), from_glm(best.to), best.local,
+            best.part, best.fixed,       best.is_expressible, best.target,       {}};
+  if (best.edge) made.shown = {best.edge->from, best.edge->to};
+  if (best.face) made.shown = target.outline(*best.face);
+  return made;
+}
+
+/// The normal of a contact of planes: the only coordinate that is fixed, or the way that it moved.
+glm::dvec3 normal_of(const Candidate& best) {
+  for (int i = 0; i < 3; ++i)
+    if (best.fixed == std::array<bool, 3>{i == 0, i == 1, i == 2}) {
+      glm::dvec3 normal(0);
+      normal[i] = 1;
+      return normal;
+    }
+  const double length = glm::length(best.step);
+  return length > 0 ? best.step / length : glm::dvec3(0);
+}
 
 /// The directions that stay free when a plane holds the solid.
 SnapDirections without(const SnapDirections& directions, const glm::dvec3& normal) {
@@ -207,27 +290,21 @@ SnapDirections all_directions() {
   return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 }
 
-std::vector<Snap> snap(const SnapFeatures& dragged, const SnapFeatures& fixed, const Vec3& offset,
-                       double reach, const SnapDirections& directions) {
-  std::vector<Snap> made;
+Snaps snap(const SnapFeatures& dragged, const std::vector<const SnapTargets*>& fixed,
+           const Vec3& offset, double reach, const SnapDirections& directions) {
+  Snaps made;
   glm::dvec3 now = to_glm(offset);
   SnapDirections free = directions;
-  while (!free.empty() && made.size() < 3) {
+  while (!free.empty() && made.contacts.size() < 3) {
     Search search(now, reach, free);
-    search.run(dragged, fixed);
+    for (std::size_t i = 0; i < fixed.size(); ++i) search.run(dragged, *fixed[i], i);
+    if (search.gave_up()) return {{}, true};
     if (!search.best()) break;
     const Candidate& best = *search.best();
     now += best.step;
-    made.push_back(
-        {best.kind, from_glm(now), from_glm(best.from), from_glm(best.to), best.local, best.fixed});
+    made.contacts.push_back(snap_of(best, now, *fixed[best.target]));
     if (rank(best.kind) < rank(Snap::Kind::face_face)) break;  // nothing is left to move
-    const double length = glm::length(best.step);
-    // The normal of the contact: the only coordinate that is fixed, or the way that it moved.
-    glm::dvec3 normal = length > 0 ? best.step / length : glm::dvec3(0);
-    for (int i = 0; i < 3; ++i)
-      if (best.fixed[static_cast<std::size_t>(i)] &&
-          !best.fixed[static_cast<std::size_t>((i + 1) % 3)])
-        normal = glm::dvec3(0), normal[i] = 1;
+    const glm::dvec3 normal = normal_of(best);
     if (normal == glm::dvec3(0)) break;
     free = without(free, normal);
   }

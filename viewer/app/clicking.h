@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session.h"
+#include "scene/picking.h"
 
 namespace sectile::viewer {
 
@@ -10,6 +11,6 @@ namespace sectile::viewer {
 enum class Depth { outer, inner };
 
 /// 0 if the ray hits nothing.
-NodeId pick(const Session& session, const Ray& ray, Depth depth);
+NodeId clicked_node(const Session& session, Picker& picker, const Ray& ray, Depth depth);
 
 }  // namespace sectile::viewer

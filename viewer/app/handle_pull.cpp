@@ -1,0 +1,239 @@
+#include "app/handle_pull.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "app/words.h"
+#include "scene/transforms.h"
+
+namespace sectile::viewer {
+namespace {
+
+constexpr double snap_reach = 10;  // on the screen
+constexpr double angle_step = 15, scale_step = 0.1;
+constexpr double least_grid_step = 20;  // on the screen
+constexpr const char* axis_names[] = {"x", "y", "z"};
+
+/// Meshes may lie far from their origin: then the handles stand in their middle.
+glm::dvec3 pivot_of(const Session& session, const glm::dvec3& origin) {
+  const Bounds bounds = session.bounds_of(session.selected());
+  const bool inside = !bounds.is_empty() && glm::all(glm::lessThanEqual(bounds.low, origin)) &&
+                      glm::all(glm::lessThanEqual(origin, bounds.high));
+  return inside || bounds.is_empty() ? origin : bounds.centre();
+}
+
+/// 1, 2.5 or 5 times a power of ten that is well seen on the screen.
+double grid_step(const Session& session, const glm::dvec3& place) {
+  const double least = least_grid_step * session.camera.pixel_length(place, session.picture_size);
+  const double decade = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.5, 5.0})
+    if (factor * decade >= least) return factor * decade;
+  return 10 * decade;
+}
+
+const char* name_of(Snap::Kind kind) {
+  switch (kind) {
+    case Snap::Kind::vertex_vertex:
+      return "vertex on vertex";
+    case Snap::Kind::edge_edge:
+      return "edge on edge";
+    case Snap::Kind::vertex_edge:
+      return "vertex on edge";
+    case Snap::Kind::edge_vertex:
+      return "edge on vertex";
+    case Snap::Kind::face_face:
+      return "face on face";
+    case Snap::Kind::vertex_face:
+      return "vertex in the plane of a face";
+    case Snap::Kind::face_vertex:
+      return "face level with a vertex";
+  }
+  return "";
+}
+
+bool is_axis(HandlePart part) {
+  return part <= HandlePart::axis_z;
+}
+int axis_of(HandlePart part) {
+  return static_cast<int>(part) % 3;
+}
+
+double& coordinate(Vec3& v, int i) {
+  return i == 0 ? v.x : i == 1 ? v.y : v.z;
+}
+
+}  // namespace
+
+std::optional<Handles> handles_of(const Session& session) {
+  const NodeId id = session.selected();
+  if (session.mode() != Mode::model || !session.scene().find(id)) return std::nullopt;
+  Transform world = session.scene().world(id);
+  const glm::dvec3 pivot = pivot_of(session, {world.m[3], world.m[7], world.m[11]});
+  world.m[3] = pivot.x, world.m[7] = pivot.y, world.m[11] = pivot.z;
+  // What is stretched along other axes than its own would be sheared.
+  const bool own_axes = session.local_axes || session.handles == HandleMode::scale;
+  return Handles::at(session.handles, world, own_axes, session.camera, session.picture_size);
+}
+
+HandlePull::HandlePull(const Session& session, const Handles& handles, HandlePart part,
+                       glm::dvec2 pixel)
+    : start_(session.scene()),
+      nodes_(session.topmost_selected()),
+      handles_(handles),
+      part_(part),
+      drag_(handles, part, session.camera.ray(pixel, session.picture_size), session.camera),
+      own_axes_(session.local_axes) {}
+
+Handles HandlePull::handles() const {
+  Handles now = handles_;
+  now.origin += offset_;
+  return now;
+}
+
+void HandlePull::pull(Session& session, glm::dvec2 pixel, bool snapping, KnownTargets& known) {
+  const HandleChange change = drag_.change(session.camera.ray(pixel, session.picture_size));
+  state_ = {};
+  const bool moves = handles_.mode == HandleMode::move;
+  Scene scene =
+      moves ? moved(session, change.move, snapping, known) : turned_or_scaled(change, snapping);
+  const char* what = moves ? "Move" : handles_.mode == HandleMode::rotate ? "Rotate" : "Scale";
+  session.document.show_draft(what, std::move(scene));
+}
+
+Scene HandlePull::moved(Session& session, const glm::dvec3& offset, bool snapping,
+                        KnownTargets& known) {
+  if (!snapping) return moved_by(offset);
+  if (!others_) others_.emplace(session, nodes_, known);
+  if (std::optional<Scene> scene = moved_into_contact(session, offset, *others_)) return *scene;
+  return moved_on_grid(session, offset);
+}
+
+Scene HandlePull::moved_by(const glm::dvec3& offset) {
+  HandleChange change;
+  change.move = offset_ = offset;
+  Scene scene = start_;
+  for (const NodeId id : nodes_)
+    scene.edit(id).placement =
+        changed(start_.at(id).placement, start_.world_of_parent(id), handles_, change);
+  state_.text = told(offset) + state_.text;
+  return scene;
+}
+
+/// May the drag move along this axis of the handles?
+bool HandlePull::is_along(int axis) const {
+  return part_ == HandlePart::centre || is_axis(part_) == (axis_of(part_) == axis);
+}
+
+Scene HandlePull::moved_on_grid(const Session& session, const glm::dvec3& offset) {
+  const double step = grid_step(session, handles_.origin);
+  glm::dvec3 snapped_offset(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!is_along(axis)) continue;
+    const double by = glm::dot(offset, handles_.axes[axis]);
+    // Along the world's axes places are round, along others distances.
+    const double from = own_axes_ ? 0 : handles_.origin[axis];
+    snapped_offset += handles_.axes[axis] * (snapped(from + by, step) - from);
+  }
+  Scene scene = moved_by(snapped_offset);
+  for (const NodeId id : nodes_) place_on_grid(scene.edit(id).placement, id, {}, step);
+  return scene;
+}
+
+/// Coordinates that a drag along the world's axes may change, and no contact fixes, become round.
+void HandlePull::place_on_grid(Placement& placement, NodeId id, const std::vector<Snap>& contacts,
+                               double step) const {
+  if (own_axes_ || id != nodes_.back() || !is_identity(start_.world_of_parent(id))) return;
+  const Vec3 start = start_.at(id).placement.position;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool is_fixed = std::any_of(contacts.begin(), contacts.end(), [&](const Snap& contact) {
+      return contact.fixed[static_cast<std::size_t>(axis)];
+    });
+    Vec3 before = start;
+    if (is_fixed || !is_along(axis) || coordinate(before, axis) != handles_.origin[axis]) continue;
+    double& now = coordinate(placement.position, axis);
+    now = snapped(now, step);
+  }
+}
+
+std::optional<Scene> HandlePull::moved_into_contact(const Session& session,
+                                                    const glm::dvec3& offset, SnapScene& others) {
+  const double reach =
+      snap_reach * session.camera.pixel_length(handles_.origin + offset, session.picture_size);
+  const Snaps found = others.find(offset, reach, drag_.directions());
+  if (found.gave_up) state_.text = " \u00B7 too much within reach: grid only";
+  if (found.contacts.empty()) return std::nullopt;
+  const std::vector<Snap>& contacts = found.contacts;
+  state_.is_contact = state_.is_exact = true;
+  Scene scene = start_;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const Landing landing = placed_by(start_.at(nodes_[i]).placement, others.parent_of(i),
+                                      contacts.back().offset, contacts, others.ways_to(i));
+    Placement& placement = scene.edit(nodes_[i]).placement;
+    placement = landing.placement;
+    state_.is_exact = state_.is_exact && landing.is_exact;
+    if (nodes_.size() == 1 && is_identity(others.frame()))
+      place_on_grid(placement, nodes_[i], contacts, grid_step(session, handles_.origin));
+  }
+  for (const Snap& contact : contacts)
+    state_.is_exact = state_.is_exact && others.is_computed_alike(contact);
+  const Transform before = start_.world(nodes_.back()), after = scene.world(nodes_.back());
+  offset_ = {after.m[3] - before.m[3], after.m[7] - before.m[7], after.m[11] - before.m[11]};
+  state_.text = told(offset_);
+  show_contacts(others, contacts);
+  return scene;
+}
+
+void HandlePull::show_contacts(const SnapScene& others, const std::vector<Snap>& contacts) {
+  std::vector<std::string> names;
+  const glm::dmat4 frame = matrix_of(others.frame());
+  const auto in_world = [&](const Vec3& p) {
+    return glm::vec3(glm::dvec3(frame * glm::dvec4(to_glm(p), 1)));
+  };
+  for (const Snap& contact : contacts) {
+    const std::string name = name_of(contact.kind);
+    if (!std::count(names.begin(), names.end(), name)) names.push_back(name);
+    for (const Vec3& end : contact.shown) state_.edges.push_back(in_world(end));
+    const bool is_point = contact.fixed == std::array<bool, 3>{true, true, true};
+    if (is_point || contact.kind == Snap::Kind::face_vertex)
+      state_.points.push_back(in_world(contact.to));
+  }
+  state_.text += " \u00B7 ";
+  for (std::size_t i = 0; i < names.size(); ++i) state_.text += (i > 0 ? ", " : "") + names[i];
+  state_.text += state_.is_exact ? ": exact" : ": near, not exact (no double lies there)";
+}
+
+Scene HandlePull::turned_or_scaled(HandleChange change, bool snapping) {
+  if (snapping) {
+    change.degrees = snapped(change.degrees, angle_step);
+    for (int axis = 0; axis < 3; ++axis)
+      change.scale[axis] = std::max(scale_step, snapped(change.scale[axis], scale_step));
+  }
+  Scene scene = start_;
+  for (const NodeId id : nodes_)
+    scene.edit(id).placement =
+        changed(start_.at(id).placement, start_.world_of_parent(id), handles_, change);
+  const bool has_axis = part_ != HandlePart::centre;
+  const std::string axis = has_axis ? axis_names[axis_of(part_)] : "";
+  if (handles_.mode == HandleMode::rotate)
+    state_.text = (has_axis ? "About " + axis + "  " : "") + number(change.degrees) + "\u00B0";
+  else
+    state_.text = (has_axis ? axis + "  " : "") + "\u00D7 " + number(change.scale[axis_of(part_)]);
+  return scene;
+}
+
+std::string HandlePull::told(const glm::dvec3& offset) const {
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!is_along(axis)) continue;
+    const double by = glm::dot(offset, handles_.axes[axis]);
+    char value[32];
+    std::snprintf(value, sizeof value, "%.5g", std::abs(by) < 1e-9 ? 0.0 : by);
+    text += (text.empty() ? "" : "   ") + std::string(own_axes_ ? "own " : "") + axis_names[axis] +
+            " " + (by > 1e-9 ? "+" : "") + value;
+  }
+  return text;
+}
+
+}  // namespace sectile::viewer

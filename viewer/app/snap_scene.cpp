@@ -1,0 +1,154 @@
+#include "app/snap_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/transforms.h"
+
+namespace sectile::viewer {
+namespace {
+
+bool computes(const Node& node) {
+  return std::holds_alternative<BooleanNode>(node.what) ||
+         std::holds_alternative<SplitNode>(node.what);
+}
+
+/// The nearest operation above all of the nodes; 0 if there is none, or not the same.
+NodeId operation_above(const Scene& scene, const Selection& nodes) {
+  std::optional<NodeId> common;
+  for (const NodeId id : nodes) {
+    const Node* node = scene.find(scene.at(id).parent);
+    while (node && !computes(*node)) node = scene.find(node->parent);
+    const NodeId found = node ? node->id : 0;
+    if (common && *common != found) return 0;
+    common = found;
+  }
+  return common.value_or(0);
+}
+
+/// From a node's coordinates to those of a node above it (0: the world's), composed as
+/// Scene::world does it.
+Transform way_up(const Scene& scene, NodeId id, NodeId top) {
+  if (id == top) return {};
+  const Node& node = scene.at(id);
+  const Transform own = node.placement.transform();
+  return node.parent == top ? own : way_up(scene, node.parent, top) * own;
+}
+
+/// The solid that a node stands for, if it is not merely a group.
+const Solid* inside_of(const Session& session, NodeId id) {
+  const Evaluation::Entry* entry = session.evaluation() ? session.evaluation()->find(id) : nullptr;
+  return entry && entry->error.empty() && !entry->inside.is_empty() ? &entry->inside : nullptr;
+}
+
+bool come_near(const Bounds& a, const Bounds& b, double reach) {
+  return glm::all(glm::lessThanEqual(a.low - reach, b.high)) &&
+         glm::all(glm::lessThanEqual(b.low - reach, a.high));
+}
+
+double average_scale(const Transform& transform) {
+  return std::cbrt(std::abs(glm::determinant(glm::dmat3(matrix_of(transform)))));
+}
+
+}  // namespace
+
+std::shared_ptr<const SnapTargets> KnownTargets::of(const Solid& inside, const Transform& place) {
+  Known& known = known_[{inside.data().get(), place.m}];
+  if (!known.targets)
+    known = {inside, std::make_shared<const SnapTargets>(snap_features(inside, place))};
+  known.used = true;
+  return known.targets;
+}
+
+void KnownTargets::forget_unused() {
+  std::erase_if(known_, [](const auto& item) { return !item.second.used; });
+  for (auto& [key, known] : known_) known.used = false;
+}
+
+SnapScene::SnapScene(const Session& session, const Selection& nodes, KnownTargets& known)
+    : known_(known), nodes_(nodes), operation_(operation_above(session.scene(), nodes)) {
+  const Scene& scene = session.scene();
+  if (operation_ != 0) frame_ = scene.world(operation_);
+  known_.forget_unused();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    parents_.push_back(way_up(scene, scene.at(nodes[i]).parent, operation_));
+    bounds_.add(session.bounds_of(nodes[i]));
+    add_dragged(session, nodes[i], i, {});
+  }
+  for (const NodeId root : scene.roots()) add_others(session, root, operation_ == 0);
+}
+
+void SnapScene::add_dragged(const Session& session, NodeId id, std::size_t node,
+                            const Transform& way) {
+  const Scene& scene = session.scene();
+  if (const Solid* inside = inside_of(session, id)) {
+    const Transform place = parents_[node] * scene.at(nodes_[node]).placement.transform() * way;
+    dragged_.add(snap_features(*inside, place), static_cast<std::uint32_t>(parts_.size()));
+    parts_.push_back({node, way});
+    return;
+  }
+  for (const NodeId child : scene.at(id).children)
+    add_dragged(session, child, node, way * scene.at(child).placement.transform());
+}
+
+Transform SnapScene::place_in_frame(const Scene& scene, NodeId id, bool in_frame) const {
+  if (in_frame) return way_up(scene, id, operation_);
+  return inverse(frame_) * scene.world(id);
+}
+
+void SnapScene::add_others(const Session& session, NodeId id, bool in_frame) {
+  const Scene& scene = session.scene();
+  const Node& node = scene.at(id);
+  if (!node.visible || std::count(nodes_.begin(), nodes_.end(), id)) return;
+  const bool leads_to_dragged = std::any_of(
+      nodes_.begin(), nodes_.end(), [&](NodeId dragged) { return scene.is_below(dragged, id); });
+  const Solid* inside = leads_to_dragged ? nullptr : inside_of(session, id);
+  if (inside) {
+    others_.push_back(
+        {*inside, place_in_frame(scene, id, in_frame), session.bounds_of(id), in_frame, nullptr});
+    return;
+  }
+  for (const NodeId child : node.children) add_others(session, child, in_frame || id == operation_);
+}
+
+std::vector<std::optional<Transform>> SnapScene::ways_to(std::size_t node) const {
+  std::vector<std::optional<Transform>> ways;
+  for (const Part& part : parts_)
+    ways.push_back(part.node == node ? std::optional(part.way) : std::nullopt);
+  return ways;
+}
+
+glm::dvec3 SnapScene::to_world(const Vec3& vector) const {
+  return glm::dmat3(matrix_of(frame_)) * to_glm(vector);
+}
+
+glm::dvec3 SnapScene::from_world(const glm::dvec3& vector) const {
+  return glm::dmat3(matrix_of(inverse(frame_))) * vector;
+}
+
+Snaps SnapScene::find(const glm::dvec3& offset, double reach, const SnapDirections& directions) {
+  const Bounds moved{bounds_.low + offset, bounds_.high + offset};
+  std::vector<const SnapTargets*> targets;
+  searched_.clear();
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    Other& other = others_[i];
+    if (!come_near(moved, other.bounds, 2 * reach)) continue;
+    if (!other.targets) other.targets = known_.of(other.inside, other.place);
+    targets.push_back(other.targets.get());
+    searched_.push_back(i);
+  }
+  SnapDirections free;
+  for (const Vec3& direction : directions) {
+    glm::dvec3 d = from_world(to_glm(direction));
+    for (const Vec3& before : free) d -= to_glm(before) * glm::dot(to_glm(before), d);
+    const double length = glm::length(d);
+    if (length > 0) free.push_back(from_glm(is_identity(frame_) ? d : d / length));
+  }
+  return snap(dragged_, targets, from_glm(from_world(offset)), reach / average_scale(frame_), free);
+}
+
+bool SnapScene::is_computed_alike(const Snap& contact) const {
+  return others_[searched_.at(contact.target)].is_in_frame || is_identity(frame_);
+}
+
+}  // namespace sectile::viewer
