@@ -154,6 +154,29 @@ TEST_F(HandlesTest, ScalesAlongOneAxisOrAll) {
   EXPECT_GT(drag.change(ray({0, -3, 0})).scale.y, 0);
 }
 
+TEST_F(HandlesTest, AreDrawnBeforeTheSceneWhereTheyAreSeen) {
+  Bounds scene;
+  scene.add(glm::dvec3(-2));
+  scene.add(glm::dvec3(2));
+  for (const bool orthographic : {false, true})
+    for (const HandleMode mode : {HandleMode::move, HandleMode::rotate, HandleMode::scale}) {
+      camera.orthographic = orthographic;
+      const HandlePicture free = draw(handles(mode), {}, camera);
+      const HandlePicture before = draw(handles(mode), {}, camera, scene);
+      ASSERT_EQ(free.lines.size(), before.lines.size());
+      for (std::size_t i = 0; i < free.lines.size(); ++i)
+        for (std::size_t k = 0; k < free.lines[i].ends.size(); ++k) {
+          const glm::dvec3 p = free.lines[i].ends[k], q = before.lines[i].ends[k];
+          EXPECT_NEAR(glm::distance(seen(p), seen(q)), 0, 1e-3);
+          const double depth = glm::dot(q - camera.position(), camera.forward());
+          for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 c(corner & 1 ? 2 : -2, corner & 2 ? 2 : -2, corner & 4 ? 2 : -2);
+            EXPECT_LT(depth, glm::dot(c - camera.position(), camera.forward()));
+          }
+        }
+    }
+}
+
 TEST_F(HandlesTest, AreDrawnWhereTheyAreFound) {
   for (const HandleMode mode : {HandleMode::move, HandleMode::rotate, HandleMode::scale}) {
     const Handles made = handles(mode);

@@ -42,6 +42,16 @@ std::vector<NamedPart> parts_of(HandleMode mode) {
   return {std::begin(scaling), std::end(scaling)};
 }
 
+/// Above the handles, but not outside of the picture.
+glm::dvec3 place_of_text(const Handles& handles, const Session& session) {
+  const glm::dvec2 size = session.picture_size;
+  const glm::dvec3 above = handles.origin + 1.3 * handles.size * session.camera.up();
+  const glm::dvec2 pixel(session.camera.project(above, size));
+  const glm::dvec2 most = glm::max(glm::dvec2(8, 24), size - glm::dvec2(260, 80));
+  const Ray ray = session.camera.ray(glm::clamp(pixel, glm::dvec2(8, 24), most), size);
+  return ray.origin + session.camera.distance * ray.direction;
+}
+
 }  // namespace
 
 struct Navigation::State {
@@ -77,8 +87,8 @@ void Navigation::add_to(Picture& picture, const Session& session) const {
   const State& state = *state_;
   const std::optional<Handles> handles = state.drag ? state.drag->handles() : handles_of(session);
   if (!handles) return;
-  HandlePicture drawn =
-      draw(*handles, state.drag ? state.drag->part() : state.hovered, session.camera);
+  HandlePicture drawn = draw(*handles, state.drag ? state.drag->part() : state.hovered,
+                             session.camera, picture.bounds());
   const auto append = [](auto& all, auto& more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()),
                std::make_move_iterator(more.end()));
@@ -92,8 +102,7 @@ void Navigation::add_to(Picture& picture, const Session& session) const {
   if (!pull.edges.empty()) picture.lines.push_back({pull.edges, colours.step, 4, true});
   if (!pull.points.empty()) picture.points.push_back({pull.points, colours.step, 12});
   if (!pull.text.empty())
-    picture.labels.push_back(
-        {handles->origin + 1.3 * handles->size * session.camera.up(), pull.text, colours.text});
+    picture.labels.push_back({place_of_text(*handles, session), pull.text, colours.text});
 }
 
 void Navigation::record(Widgets& widgets, const Session& session, const Rectangle& place) const {

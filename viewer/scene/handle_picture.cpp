@@ -1,4 +1,5 @@
 // Handles as lines and small surfaces.
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -138,16 +139,41 @@ class Drawing {
     made_.lines.push_back(std::move(made));
   }
 
-  const Handles& handles_;
+  const Handles handles_;
   const std::optional<HandlePart> active_;
   const Camera& camera_;
   HandlePicture made_;
 };
 
+/// How deep the nearest corner of a box lies.
+double nearest_depth(const Bounds& box, const Camera& camera) {
+  double nearest = glm::dot(box.centre() - camera.position(), camera.forward());
+  nearest -= glm::dot((box.high - box.low) * 0.5, glm::abs(camera.forward()));
+  return nearest;
+}
+
+Handles before(const Bounds& scene, const Handles& handles, const Camera& camera) {
+  if (scene.is_empty()) return handles;
+  const double deepest =
+      glm::dot(handles.origin - camera.position(), camera.forward()) + 1.1 * handles.size;
+  // Not so near that the picture's near plane cuts them.
+  const double wanted = std::max(0.97 * nearest_depth(scene, camera), 0.08 * camera.distance);
+  Handles made = handles;
+  if (camera.orthographic) {
+    made.origin -= camera.forward() * std::max(0.0, deepest - wanted);
+  } else if (wanted < deepest) {
+    const double nearer = wanted / deepest;
+    made.origin = camera.position() + nearer * (handles.origin - camera.position());
+    made.size *= nearer;
+  }
+  return made;
+}
+
 }  // namespace
 
-HandlePicture draw(const Handles& handles, std::optional<HandlePart> active, const Camera& camera) {
-  return Drawing(handles, active, camera).draw();
+HandlePicture draw(const Handles& handles, std::optional<HandlePart> active, const Camera& camera,
+                   const Bounds& scene) {
+  return Drawing(before(scene, handles, camera), active, camera).draw();
 }
 
 }  // namespace sectile::viewer

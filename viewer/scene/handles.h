@@ -43,13 +43,15 @@ struct Handles {
   glm::dvec3 grip(HandlePart part, const Camera& camera) const;
 };
 
-/// What to draw, on top of all; `active` is shown brighter.
+/// What to draw; `active` is shown brighter. It is drawn smaller and nearer to the eye, where it
+/// looks the same, so that nothing within `scene` hides it.
 struct HandlePicture {
   std::vector<Lines> lines;
   std::vector<Surface> surfaces;
   std::vector<Points> points;
 };
-HandlePicture draw(const Handles& handles, std::optional<HandlePart> active, const Camera& camera);
+HandlePicture draw(const Handles& handles, std::optional<HandlePart> active, const Camera& camera,
+                   const Bounds& scene = {});
 
 /// What a drag amounts to, in the world.
 struct HandleChange {
