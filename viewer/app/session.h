@@ -12,7 +12,7 @@
 
 #include "app/dialogs.h"
 #include "app/document.h"
-#include "app/importer.h"
+#include "app/file_work.h"
 #include "app/messages.h"
 #include "app/story_player.h"
 #include "app/view_settings.h"
@@ -49,8 +49,9 @@ class Session {
   void redo();
 
   void new_scene();
+  // Files are read and exported in the background; what went wrong becomes a message.
   void open(const std::filesystem::path& path);    ///< replaces a scene, adds a mesh
-  void import(const std::filesystem::path& path);  ///< adds a mesh, read in the background
+  void import(const std::filesystem::path& path);  ///< adds a mesh
   void open_sample(const std::string& name);
   bool save(const std::filesystem::path& path);
   void offer_recovery(
@@ -131,7 +132,10 @@ class Session {
  private:
   void evaluate();
   void take_evaluation();
-  void take_imports(bool wait);
+  void add_imported(const std::filesystem::path& path, std::shared_ptr<const PolygonMesh> mesh);
+  /// `work` may throw what becomes a message.
+  void in_background(FileWork::Kind kind, std::string activity,
+                     std::function<FileWork::Finish()> work);
   void tell_new_errors();
   void tell_story();
   void frame_once_computed();
@@ -140,7 +144,7 @@ class Session {
   void recover(const LostWork& work);
 
   Evaluator evaluator_;
-  Importer importer_;
+  FileWork files_;
   std::shared_ptr<const Evaluation> evaluation_;
   std::uint64_t seen_revision_ = 0, newest_request_ = 0;
   Mode mode_ = Mode::model;

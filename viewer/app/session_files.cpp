@@ -1,10 +1,12 @@
 // Opening, saving, importing, exporting.
 #include <algorithm>
 #include <cctype>
+#include <stdexcept>
 
 #include "app/samples_menu.h"
 #include "app/session.h"
 #include "scene/scene_file.h"
+#include "sectile/sectile.h"
 
 namespace sectile::viewer {
 namespace {
@@ -14,6 +16,20 @@ bool is_scene_file(const std::filesystem::path& path) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension == ".sectile" || extension == ".json";
+}
+
+// Makes sure that a mesh bounds a solid before it comes into the scene.
+std::shared_ptr<const PolygonMesh> read_solid(const std::filesystem::path& path) {
+  auto mesh = std::make_shared<const PolygonMesh>(read_mesh(path));
+  const std::string name = path.filename().string();
+  try {
+    if (Solid::from_mesh(*mesh).is_empty())
+      throw std::runtime_error(name + " holds no solid: it has no faces.");
+  } catch (const InvalidSolid& error) {
+    throw std::runtime_error(name + " is not a closed solid: " + error.what() +
+                             " Mend the mesh where it was made, then open it again.");
+  }
+  return mesh;
 }
 
 }  // namespace
@@ -29,19 +45,49 @@ void Session::new_scene() {
   start({}, {});
 }
 
-void Session::open(const std::filesystem::path& path) {
-  if (!is_scene_file(path)) return import(path);
-  after_saving("Open " + path.filename().string(), [this, path] {
+void Session::in_background(FileWork::Kind kind, std::string activity,
+                            std::function<FileWork::Finish()> work) {
+  files_.start(kind, std::move(activity), [this, work = std::move(work)]() -> FileWork::Finish {
     try {
-      start(read_scene(path).scene, path);
+      return work();
     } catch (const std::exception& error) {
-      messages.error(error.what());
+      return [this, text = std::string(error.what())] { messages.error(text); };
     }
   });
 }
 
+void Session::open(const std::filesystem::path& path) {
+  if (!is_scene_file(path)) return import(path);
+  in_background(FileWork::Kind::reading, "Opening " + path.filename().string() + "\u2026",
+                [this, path]() -> FileWork::Finish {
+                  const auto scene = std::make_shared<Scene>(read_scene(path).scene);
+                  return [this, path, scene] {
+                    after_saving("Open " + path.filename().string(),
+                                 [this, path, scene] { start(*scene, path); });
+                  };
+                });
+}
+
 void Session::import(const std::filesystem::path& path) {
-  importer_.start(path);
+  in_background(FileWork::Kind::reading, "Reading " + path.filename().string() + "\u2026",
+                [this, path]() -> FileWork::Finish {
+                  const auto mesh = read_solid(path);
+                  return [this, path, mesh] { add_imported(path, mesh); };
+                });
+}
+
+void Session::add_imported(const std::filesystem::path& path,
+                           std::shared_ptr<const PolygonMesh> mesh) {
+  const bool first = scene().size() == 0;
+  NodeId added = 0;
+  const bool done = change("Import", [&](Scene& changed) {
+    Node node;
+    node.name = path.stem().string();
+    node.what = Imported{path, std::move(mesh)};
+    added = changed.add(std::move(node));
+  });
+  if (done) select(added);
+  if (done && first) frame_next_ = true;
 }
 
 void Session::open_sample(const std::string& name) {
@@ -75,31 +121,13 @@ void Session::export_solid(const std::filesystem::path& path) {
     messages.error("There is nothing to export: this solid is empty or could not be computed.");
     return;
   }
-  try {
-    write_mesh(path, exported->to_mesh());
-    messages.tell("Exported to " + path.filename().string() + ".");
-  } catch (const std::exception& error) {
-    messages.error(error.what());
-  }
-}
-
-void Session::take_imports(bool wait) {
-  for (Importer::Outcome& outcome : importer_.take(wait)) {
-    if (!outcome.mesh) {
-      messages.error(outcome.error);
-      continue;
-    }
-    const bool first = scene().size() == 0;
-    NodeId added = 0;
-    const bool done = change("Import", [&](Scene& changed) {
-      Node node;
-      node.name = outcome.path.stem().string();
-      node.what = Imported{outcome.path, outcome.mesh};
-      added = changed.add(std::move(node));
-    });
-    if (done) select(added);
-    if (done && first) frame_next_ = true;
-  }
+  in_background(FileWork::Kind::writing, "Writing " + path.filename().string() + "\u2026",
+                [this, path, solid = *exported]() -> FileWork::Finish {
+                  write_mesh(path, solid.to_mesh());
+                  return [this, path] {
+                    messages.tell("Exported to " + path.filename().string() + ".");
+                  };
+                });
 }
 
 void Session::offer_recovery(const std::filesystem::path& data_folder) {

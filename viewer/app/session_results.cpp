@@ -8,7 +8,7 @@ namespace sectile::viewer {
 
 void Session::update(double seconds, bool wait) {
   messages.pass(seconds);
-  take_imports(wait);
+  files_.finish(wait);
   evaluate();
   if (wait) evaluator_.wait();
   take_evaluation();
@@ -129,11 +129,11 @@ std::string Session::why_no_story() const {
 }
 
 bool Session::is_busy() const {
-  return evaluator_.is_busy() || importer_.is_busy() || (mode_ == Mode::steps && player.is_busy());
+  return evaluator_.is_busy() || files_.is_busy() || (mode_ == Mode::steps && player.is_busy());
 }
 
 std::string Session::activity() const {
-  if (importer_.is_busy()) return "Reading a file\u2026";
+  if (files_.is_busy()) return files_.activity();
   if (evaluator_.is_busy()) return "Computing the result\u2026";
   if (mode_ == Mode::steps && player.is_busy()) return "Telling the steps\u2026";
   return {};
@@ -144,9 +144,12 @@ double Session::progress() const {
 }
 
 void Session::cancel() {
+  const bool reading = files_.is_busy();
+  files_.give_up_reading();
   evaluator_.cancel();
   player.cancel();
-  messages.tell("Cancelled. The next change computes the result again.");
+  messages.tell(reading ? "Cancelled. Nothing was opened."
+                        : "Cancelled. The next change computes the result again.");
 }
 
 }  // namespace sectile::viewer
