@@ -9,7 +9,7 @@ packages=(g++ cmake ninja-build libtbb-dev libcli11-dev nlohmann-json3-dev libbo
           fonts-inter fonts-dejavu-core fonts-font-awesome xvfb xdotool)
 case "${1:-build}" in
   build) ;;
-  check) packages+=(clang-format-14 git dpkg-dev file ccache) ;;
+  check) packages+=(clang-format-14 git dpkg-dev file ccache pngquant) ;;
   *) echo "usage: setup.sh [build | check]" >&2; exit 2 ;;
 esac
 

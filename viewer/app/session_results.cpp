@@ -1,8 +1,8 @@
 // What is computed in the background: solids, surfaces, imported files, the story of the steps.
-#include "app/half_space_block.h"
 #include "app/session.h"
 #include "app/words.h"
 #include "scene/transforms.h"
+#include "story/half_space_block.h"
 
 namespace sectile::viewer {
 

@@ -51,6 +51,31 @@ float distance(const Pixel& a, const Pixel& b) {
   return std::sqrt(sum);
 }
 
+Plane softened(const Image& image) {
+  return blurred(blurred(plane_of(image), 1, 0), 0, 1);
+}
+
+// To the pixel of the other picture, at the same place or beside it, that is most alike.
+float distance_nearby(const Pixel& pixel, const Plane& other, int x, int y) {
+  float least = 1;
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      least = std::min(least, distance(pixel, other.at(x + dx, y + dy)));
+  return least;
+}
+
+constexpr int square = 8;
+
+double sum_of_square(const std::vector<float>& values, int width, int left, int top) {
+  double sum = 0;
+  for (int y = top; y < top + square; ++y)
+    for (int x = left; x < left + square; ++x)
+      sum +=
+          static_cast<double>(values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                     static_cast<std::size_t>(x)]);
+  return sum;
+}
+
 void paint(Image& picture, std::size_t i, const Pixel& original, float difference) {
   const float grey = 0.75f + 0.2f * (original[0] + original[1] + original[2]) / 3;
   const float red = std::min(1.0f, 4 * difference);
@@ -64,8 +89,8 @@ void paint(Image& picture, std::size_t i, const Pixel& original, float differenc
 
 ImageDifference compare_images(const Image& a, const Image& b, double threshold) {
   if (a.width != b.width || a.height != b.height) return {1, 1, {}};
-  const Plane first = blurred(blurred(plane_of(a), 1, 0), 0, 1);
-  const Plane second = blurred(blurred(plane_of(b), 1, 0), 0, 1);
+  const Plane first = softened(a);
+  const Plane second = softened(b);
   ImageDifference result;
   result.picture = {a.width, a.height, std::vector<std::uint8_t>(a.rgba.size())};
   if (first.pixels.empty()) return result;
@@ -78,6 +103,35 @@ ImageDifference compare_images(const Image& a, const Image& b, double threshold)
   }
   result.mean /= static_cast<double>(first.pixels.size());
   result.share = static_cast<double>(beyond) / static_cast<double>(first.pixels.size());
+  return result;
+}
+
+LocalDifference compare_locally(const Image& a, const Image& b) {
+  if (a.width != b.width || a.height != b.height) return {1, 0, 0, {}};
+  const Plane first = softened(a), second = softened(b);
+  LocalDifference result;
+  result.picture = {a.width, a.height, std::vector<std::uint8_t>(a.rgba.size())};
+  std::vector<float> differences(first.pixels.size());
+  for (int y = 0; y < a.height; ++y) {
+    for (int x = 0; x < a.width; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) +
+                            static_cast<std::size_t>(x);
+      // What is missing in either counts.
+      if (distance(first.pixels[i], second.pixels[i]) > 0.01f)
+        differences[i] = std::max(distance_nearby(first.pixels[i], second, x, y),
+                                  distance_nearby(second.pixels[i], first, x, y));
+      paint(result.picture, i, first.pixels[i], differences[i]);
+    }
+  }
+  for (int y = 0; y + square <= a.height; y += square / 4) {
+    for (int x = 0; x + square <= a.width; x += square / 4) {
+      const double mean = sum_of_square(differences, a.width, x, y) / (square * square);
+      if (mean <= result.worst) continue;
+      result.worst = mean;
+      result.x = x;
+      result.y = y;
+    }
+  }
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <set>
 
 #include "picture/theme.h"
 #include "story/exploded_parts.h"
@@ -13,6 +14,8 @@ namespace {
 
 constexpr std::size_t no_step = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t most_labels = 60;
+// So many places show their sectors at once; more would hide each other.
+constexpr std::size_t most_fans = 48;
 
 double length_of(const TraceEvent& segment) {
   return glm::length(to_glm(segment.points[1]) - to_glm(segment.points[0]));
@@ -119,9 +122,9 @@ class Painter {
     if (!made.places.empty()) picture_.points.push_back(std::move(made));
   }
 
-  void highlight(const TraceEvent& event) {
+  void highlight(const TraceEvent& event, float width = 5) {
     if (event.points.size() == 2) {
-      Lines made = lines(theme_.step, 5);
+      Lines made = lines(theme_.step, width);
       add_segment(made, event);
       add(made);
     }
@@ -132,12 +135,20 @@ class Painter {
 
   void paint_reduction() {
     paint_operands(false);
+    paint_contacts(first_, done());
+    if (current()) highlight(*current());
+  }
+
+  // What the phases after the first start from, where they find nothing to do.
+  void paint_all_contacts() { paint_contacts(record_.first_step[0], record_.first_step[1]); }
+
+  void paint_contacts(std::size_t from, std::size_t to) {
     // Vertices that coincide; vertices in faces; edges through faces.
     Points coincident = points(faint(theme_.coincident), 8),
            in_face = points(faint(theme_.contact), 8), through = points(faint(theme_.contact), 5);
     Lines across = lines(faint(theme_.contact_segment), 1.5f),
           along = lines(faint(theme_.coincident), 2.5f);
-    for (std::size_t i = first_; i < done(); ++i) {
+    for (std::size_t i = from; i < to; ++i) {
       const TraceEvent& event = record_.event(i);
       const bool face = event.a[0] == 'f' || event.b[0] == 'f';
       if (event.kind == "segment")
@@ -153,7 +164,6 @@ class Painter {
     add(through);
     add(in_face);
     add(coincident);
-    if (current()) highlight(*current());
   }
 
   Colour class_colour(int solid, const std::string& code) const {
@@ -165,33 +175,48 @@ class Painter {
     return with_alpha(theme_.neutral, 0.8f);
   }
 
-  void paint_neighborhoods() {
-    paint_operands(true);
-    Lines before = lines(faint(theme_.contact_segment), 1.5f);
-    for (std::size_t i = first_; i < done(); ++i) add_segment(before, record_.event(i));
-    add(before);
-    if (!current()) return;
-    const TraceEvent& event = *current();
-    const double size = neighborhood_size(record_, event);
-    ClassMeshes meshes;
-    add_fans(record_, record_.main_place(event), size, meshes);
-    add_strips(event, 0.5 * size, 1.15 * size, meshes);
+  void paint_classes(const ClassMeshes& meshes, float alpha, bool edges) {
     for (const auto& [key, mesh] : meshes) {
       Surface surface;
       surface.mesh = mesh;
-      surface.colour = with_alpha(class_colour(key.first, key.second), 0.75f);
+      surface.colour = with_alpha(class_colour(key.first, key.second), alpha);
       surface.translucent = true;
+      surface.edges = edges;
       picture_.surfaces.push_back(surface);
     }
-    highlight(event);
+  }
+
+  void paint_neighborhoods() {
+    paint_operands(true);
+    if (!current()) return paint_all_contacts();
+    const TraceEvent& event = *current();
+    const std::uint32_t here = record_.main_place(event);
+    Lines before = lines(faint(theme_.contact_segment), 1.5f);
+    std::set<std::uint32_t> places{here};
+    ClassMeshes earlier;
+    for (std::size_t i = done(); i-- > first_;) {
+      const TraceEvent& other = record_.event(i);
+      add_segment(before, other);
+      const std::uint32_t place = record_.main_place(other);
+      if (places.size() < most_fans && places.insert(place).second)
+        add_fans(record_, place, 0.8 * neighborhood_size(record_, other), earlier);
+    }
+    add(before);
+    const double size = neighborhood_size(record_, event);
+    ClassMeshes meshes;
+    add_fans(record_, here, size, meshes);
+    add_strips(event, 0.5 * size, 1.15 * size, meshes);
+    paint_classes(earlier, 0.4f, false);
+    paint_classes(meshes, 0.75f, true);
+    highlight(event, 3);
   }
 
   // How far the ends of a null edge are drawn from their common place.
   double pull(const TraceEvent& event) const {
     const double scene = record_.bounds.radius();
     const double room =
-        event.places.empty() ? 0 : 0.4 * shortest_segment_at(record_, event.places[0]);
-    return std::clamp(room, 0.01 * scene, 0.1 * scene) * (0.4 + 0.6 * view_.exploded);
+        event.places.empty() ? 0 : 0.5 * shortest_segment_at(record_, event.places[0]);
+    return std::clamp(room, 0.02 * scene, 0.16 * scene) * (0.75 + 0.25 * view_.exploded);
   }
 
   void add_null_edge(const TraceEvent& event, Lines& edge, Points& from, Points& to) const {
@@ -204,18 +229,31 @@ class Painter {
     to.places.push_back(ends[1]);
   }
 
+  // The neighborhoods of all places are whole.
+  void paint_uncut() {
+    ClassMeshes meshes;
+    std::set<std::uint32_t> places;
+    const double size = 0.1 * record_.bounds.radius();
+    for (std::size_t i = record_.first_step[0]; i < record_.first_step[1]; ++i)
+      for (const std::uint32_t place : record_.event(i).places)
+        if (places.size() < most_fans && places.insert(place).second)
+          add_fans(record_, place, size, meshes);
+    paint_classes(meshes, 0.6f, true);
+  }
+
   void paint_null_edges() {
     paint_operands(true);
+    if (first_ == last_) return paint_uncut();
     Lines edges = lines(faint(theme_.null_edge), 2);
-    Points from = points(faint(theme_.null_edge_above), 6),
-           to = points(faint(theme_.null_edge_below), 6);
+    Points from = points(faint(theme_.null_edge_above), 5),
+           to = points(faint(theme_.null_edge_below), 5);
     for (std::size_t i = first_; i < done(); ++i) add_null_edge(record_.event(i), edges, from, to);
     add(edges);
     add(from);
     add(to);
     if (!current()) return;
     Lines edge = lines(theme_.step, 4);
-    Points one = points(theme_.null_edge_above, 11), other = points(theme_.null_edge_below, 11);
+    Points one = points(theme_.null_edge_above, 9), other = points(theme_.null_edge_below, 9);
     add_null_edge(*current(), edge, one, other);
     add(edge);
     add(one);
@@ -224,6 +262,7 @@ class Painter {
 
   void paint_joining() {
     paint_operands(true);
+    if (first_ == last_) return paint_all_contacts();
     Lines joined = lines(theme_.cut, 3), waiting = lines(faint(theme_.contact_segment), 1);
     Points ends = points(theme_.null_edge, 6);
     for (std::size_t i = first_; i < last_; ++i) {

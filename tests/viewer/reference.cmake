@@ -1,0 +1,6 @@
+# Pictures beside the kept ones in reference/.
+sectile_test(reference_test SOURCES reference_test.cpp reference_pictures.cpp leaks.cpp
+             LIBRARIES sectile_viewer_program)
+target_compile_definitions(reference_test PRIVATE
+  SECTILE_REFERENCE_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/reference"
+  SECTILE_NEW_PICTURES_FOLDER="${CMAKE_CURRENT_BINARY_DIR}/pictures")

@@ -1,0 +1,28 @@
+// The pictures of a story as the command line makes them: with a camera that sees everything.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "story/story.h"
+
+namespace sectile::viewer {
+
+/// What a story is told of.
+struct StoryOperands {
+  Solid a, b;
+  Operation operation = Operation::unite;
+};
+
+/// The solids of a sample and its figure's own operation. A sample of splitting keeps what is above
+/// the plane; b is then a block instead of the half-space.
+StoryOperands sample_operands(const std::string& name);
+
+constexpr std::size_t last_step = std::numeric_limits<std::size_t>::max();
+
+/// After `step` of a phase, counted from 0; a phase in which nothing happened has its picture as
+/// its last step. Throws std::invalid_argument if there is no such step.
+Picture phase_picture(const Story& story, Phase phase, std::size_t step, const StoryView& view,
+                      double aspect);
+
+}  // namespace sectile::viewer
