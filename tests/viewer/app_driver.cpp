@@ -22,10 +22,17 @@ bool overlap(const glm::vec4& a, const glm::vec4& b) {
 
 }  // namespace
 
-AppDriver::AppDriver(int width, int height, float scale)
-    : context_(make_osmesa_context(width, height, scale)) {
+AppOptions AppDriver::waiting() {
   AppOptions options;
-  options.wait_for_results = true;
+  options.wait_for_results = options.fast_pictures = true;
+  return options;
+}
+
+AppDriver::AppDriver(int width, int height, float scale)
+    : AppDriver(waiting(), width, height, scale) {}
+
+AppDriver::AppDriver(const AppOptions& options, int width, int height, float scale)
+    : context_(make_osmesa_context(width, height, scale)) {
   app_ = std::make_unique<App>(*context_, options);
   settle();
 }
@@ -57,6 +64,33 @@ void AppDriver::drag(glm::dvec2 from, glm::dvec2 to, MouseButton button, bool co
   for (int i = 1; i <= 8; ++i) move(from + (to - from) * (i / 8.0), false, control);
   send({mouse(Event::Kind::mouse_up, to, button, false, control)});
   settle();
+}
+
+void AppDriver::hold(glm::dvec2 from, glm::dvec2 to, bool control) {
+  move(from, false, control);
+  send({mouse(Event::Kind::mouse_down, from, MouseButton::left, false, control)});
+  for (int i = 1; i <= 4; ++i) move(from + (to - from) * (i / 4.0), false, control);
+}
+
+void AppDriver::let_go(glm::dvec2 at) {
+  send({mouse(Event::Kind::mouse_up, at, MouseButton::left, false, false)});
+  settle();
+}
+
+void AppDriver::double_click(glm::dvec2 at) {
+  move(at);
+  for (int i = 0; i < 2; ++i) {
+    send({mouse(Event::Kind::mouse_down, at, MouseButton::left, false, false)});
+    send({mouse(Event::Kind::mouse_up, at, MouseButton::left, false, false)});
+  }
+  app_->frame({}, 0.6);
+  settle();
+}
+
+void AppDriver::enter(const std::string& field, const std::string& text, Key end) {
+  double_click(middle(field));
+  if (!text.empty()) type(text);
+  key(end);
 }
 
 glm::dvec2 AppDriver::middle(const std::string& name) const {

@@ -16,6 +16,9 @@ namespace sectile::viewer {
 class AppDriver {
  public:
   explicit AppDriver(int width = 960, int height = 600, float scale = 1);
+  AppDriver(const AppOptions& options, int width = 960, int height = 600, float scale = 1);
+
+  static AppOptions waiting();  ///< every frame waits for results
 
   App& app() { return *app_; }
   const Session& session() const { return app_->session(); }
@@ -26,6 +29,10 @@ class AppDriver {
   void click(glm::dvec2 at, bool shift = false);
   void drag(glm::dvec2 from, glm::dvec2 to, MouseButton button = MouseButton::left,
             bool control = false);
+  /// The first part of a drag; other events may come before let_go().
+  void hold(glm::dvec2 from, glm::dvec2 to, bool control = false);
+  void let_go(glm::dvec2 at);
+  void double_click(glm::dvec2 at);
   /// The middle of a named widget.
   glm::dvec2 middle(const std::string& name) const;
   void press(const std::string& name) { click(middle(name)); }
@@ -34,6 +41,8 @@ class AppDriver {
     key(static_cast<Key>(letter), control, shift);
   }
   void type(const std::string& text);
+  /// Double clicks a field of numbers, types and ends with a key.
+  void enter(const std::string& field, const std::string& text, Key end = Key::enter);
   void drop(const std::filesystem::path& file);
   void add(const std::string& shape);  ///< by the tool bar
 

@@ -1,6 +1,7 @@
 #include "app/app.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -129,11 +130,16 @@ class App::Implementation {
     const bool menu_open =
         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     if (menu_open) return;
-    if (event.key == Key::escape) {
-      if (!navigation_.escape(session_)) session_.select(0);
-      return;
-    }
+    if (event.key == Key::escape) return escape();
     if (!navigation_.is_dragging()) commands_.press(session_, event);
+  }
+
+  void escape() {
+    if (navigation_.escape(session_)) return;
+    if (!session_.document.has_draft()) return session_.select(0);
+    // A field that is being dragged.
+    session_.document.drop_draft();
+    ImGui::ClearActiveID();
   }
 
   void draw_interface() {
@@ -181,7 +187,7 @@ class App::Implementation {
     navigation_.update(session_, layout_.picture);
     Picture picture = pictures_.make(session_);
     if (options_.show_interface) navigation_.add_to(picture, session_);
-    if (navigation_.is_dragging()) picture.quality = Quality::fast;
+    if (navigation_.is_dragging() || options_.fast_pictures) picture.quality = Quality::fast;
     const float scale = font_scale_;
     const auto pixels = [&](float units) { return static_cast<int>(std::lround(units * scale)); };
     const Rectangle& p = layout_.picture;

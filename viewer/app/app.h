@@ -21,6 +21,7 @@ struct AppOptions {
   std::filesystem::path data_folder;  ///< settings and recovery; empty: none are kept
   bool dark = false;
   bool show_interface = true;     ///< false: the picture alone
+  bool fast_pictures = false;     ///< all of them with the care of those in a drag
   bool wait_for_results = false;  ///< tests and screenshots: frame() waits for the evaluator
 };
 

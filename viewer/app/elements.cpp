@@ -1,5 +1,7 @@
 #include "app/elements.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 
 namespace sectile::viewer {
@@ -150,13 +152,26 @@ bool slider(PanelContext& context, const std::string& name, double& value, doubl
   return moved;
 }
 
+namespace {
+
+/// Is the last item a field whose number is being typed? Half a number is no value yet; and the
+/// text that Esc brings back has fewer digits than the value it stands for.
+bool is_typing() {
+  return ImGui::TempInputIsActive(ImGui::GetItemID());
+}
+
+}  // namespace
+
 Edited number_field(PanelContext& context, const std::string& name, double& value, double speed,
                     float width, double low, double high) {
   ImGui::SetNextItemWidth(width);
+  double shown = value;
   Edited edited;
-  edited.changing = ImGui::DragScalar(("##" + name).c_str(), ImGuiDataType_Double, &value,
+  edited.changing = ImGui::DragScalar(("##" + name).c_str(), ImGuiDataType_Double, &shown,
                                       static_cast<float>(speed), &low, &high, "%.6g",
-                                      ImGuiSliderFlags_AlwaysClamp);
+                                      ImGuiSliderFlags_AlwaysClamp) &&
+                    !is_typing();
+  if (edited.changing) value = shown;
   edited.done = ImGui::IsItemDeactivatedAfterEdit();
   context.widgets.record_item(name);
   return edited;
@@ -168,9 +183,10 @@ Edited count_field(PanelContext& context, const std::string& name, std::uint32_t
   ImGui::SetNextItemWidth(width);
   Edited edited;
   edited.changing = ImGui::DragInt(("##" + name).c_str(), &whole, 0.25f, low, high, "%d",
-                                   ImGuiSliderFlags_AlwaysClamp);
+                                   ImGuiSliderFlags_AlwaysClamp) &&
+                    !is_typing();
   edited.done = ImGui::IsItemDeactivatedAfterEdit();
-  value = static_cast<std::uint32_t>(whole);
+  if (edited.changing) value = static_cast<std::uint32_t>(whole);
   context.widgets.record_item(name);
   return edited;
 }

@@ -80,6 +80,7 @@ bool Navigation::escape(Session& session) {
   session.document.drop_draft();
   state_->drag.reset();
   state_->gesture = Gesture::none;
+  session.dragging.clear();
   return true;
 }
 
@@ -176,6 +177,7 @@ void Navigation::update(Session& session, const Rectangle& place) {
   if (state.gesture == Gesture::none) return;
   state.follow(session, at, size);
   if (!io.MouseDown[state.button]) state.release(session, at, size);
+  session.dragging = state.drag ? state.drag->state().text : std::string();
 }
 
 }  // namespace sectile::viewer

@@ -123,6 +123,7 @@ class Session {
   HandleMode handles = HandleMode::move;
   bool local_axes = false;
   bool snapping = true;
+  std::string dragging;  ///< how far a drag of a handle has come and what it touches, in words
   Renaming renaming;
   bool adding = false;      ///< the list of primitives is to open
   bool view_panel = false;  ///< the view settings are open

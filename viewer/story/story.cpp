@@ -68,6 +68,13 @@ std::size_t Story::next_special(std::size_t step, bool backwards) const {
   return step;
 }
 
+bool Story::has_stop(const std::string& kind_or_entity) const {
+  const BreakPoint point(kind_or_entity);
+  for (std::size_t i = 0; i < steps().size(); ++i)
+    if (point.matches(record_->event(i))) return true;
+  return false;
+}
+
 std::size_t Story::next_of_kind(std::size_t step, const std::string& kind_or_entity) const {
   const BreakPoint point(kind_or_entity);
   for (std::size_t i = step + 1; i < steps().size(); ++i)

@@ -58,6 +58,8 @@ class Story {
   /// are kinds ("null edge"), kinds of contacts ("vertex on vertex", in either order), entities
   /// ("v12", "A v12") and pairs of them, A's first ("v12 on v3").
   std::size_t next_of_kind(std::size_t step, const std::string& kind_or_entity) const;
+  /// Does a break point name any step?
+  bool has_stop(const std::string& kind_or_entity) const;
 
  private:
   std::shared_ptr<const StoryRecord> record_;

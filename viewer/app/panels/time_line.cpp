@@ -51,6 +51,18 @@ void draw_phases(PanelContext& context, const Story& story) {
   }
 }
 
+/// What was typed stays if no step is named, to be corrected.
+void add_stop(Session& session, std::string& typed) {
+  StoryPlayer& player = session.player;
+  if (!player.story() || !player.story()->has_stop(typed)) {
+    session.messages.error("No step concerns \"" + typed +
+                           "\". Type a vertex such as v12, an edge e3, a face f7, or A v12.");
+    return;
+  }
+  if (!std::count(player.stops.begin(), player.stops.end(), typed)) player.stops.push_back(typed);
+  typed.clear();
+}
+
 void draw_break_points(PanelContext& context) {
   StoryPlayer& player = context.session.player;
   const std::string text =
@@ -79,10 +91,8 @@ void draw_break_points(PanelContext& context) {
   context.widgets.record_item("stop.entity");
   ImGui::SameLine();
   std::string& typed = context.session.typed_stop;
-  if ((button(context, "stop.add", "Add", "", !typed.empty()) || entered) && !typed.empty()) {
-    if (!std::count(player.stops.begin(), player.stops.end(), typed)) player.stops.push_back(typed);
-    typed.clear();
-  }
+  if ((button(context, "stop.add", "Add", "", !typed.empty()) || entered) && !typed.empty())
+    add_stop(context.session, typed);
   for (const std::string& stop : std::vector<std::string>(player.stops)) {
     if (std::count(std::begin(stop_kinds), std::end(stop_kinds), stop)) continue;
     if (icon_button(context, "stop.remove." + stop, icons::cross, "Do not stop at " + stop))
