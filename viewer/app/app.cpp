@@ -68,14 +68,14 @@ class App::Implementation {
     draw_interface();
     if (options_.wait_for_results) session_.update(0, true);
     follow_step();
-    draw_picture();
+    draw_picture(seconds);
     ImGui::Render();
     renderer_.draw(*ImGui::GetDrawData());
   }
 
   bool needs_frame() const {
     return !events_.is_empty() || session_.is_busy() || session_.player.is_playing() ||
-           session_.messages.is_fading() || settling_ > 0;
+           session_.messages.is_fading() || settling_ > 0 || !is_at_rest();
   }
 
   Image screenshot() { return renderer_.read_frame(); }
@@ -183,11 +183,17 @@ class App::Implementation {
       session_.camera.look_at(bounds, session_.picture_size.x / session_.picture_size.y);
   }
 
-  void draw_picture() {
+  // A picture in full quality may take a second: it waits until the camera has come to rest.
+  bool is_at_rest() const { return options_.wait_for_results || still_for_ >= 0.25; }
+
+  void draw_picture(double seconds) {
     navigation_.update(session_, layout_.picture);
+    still_for_ = session_.camera == seen_camera_ ? still_for_ + seconds : 0;
+    seen_camera_ = session_.camera;
     Picture picture = pictures_.make(session_);
     if (options_.show_interface) navigation_.add_to(picture, session_);
-    if (navigation_.is_dragging() || options_.fast_pictures) picture.quality = Quality::fast;
+    if (navigation_.is_dragging() || options_.fast_pictures || !is_at_rest())
+      picture.quality = Quality::fast;
     const float scale = font_scale_;
     const auto pixels = [&](float units) { return static_cast<int>(std::lround(units * scale)); };
     const Rectangle& p = layout_.picture;
@@ -228,6 +234,8 @@ class App::Implementation {
   Fonts fonts_;
   float font_scale_ = 0;
   int settling_ = 2;
+  Camera seen_camera_;
+  double still_for_ = 0;  // the camera, in seconds
   std::pair<std::shared_ptr<const Story>, std::size_t> followed_;
 };
 

@@ -27,6 +27,7 @@ struct Camera {
   double elevation = 0.5236;   ///< above the xy plane
   double field_of_view = 0.6;  ///< vertical
   bool orthographic = false;
+  bool operator==(const Camera&) const = default;
 
   glm::dvec3 position() const;
   glm::dvec3 forward() const;

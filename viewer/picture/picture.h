@@ -23,6 +23,7 @@ struct SurfaceMesh {
   std::vector<glm::vec3> hard_edges;  ///< two for each edge
   std::vector<std::uint32_t> faces;   ///< one for each triangle: the solid's face (for picking)
   Bounds bounds;
+  bool closed = false;  ///< without a boundary: its back faces are seen in a section only
 };
 
 /// A surface placed in the world.
@@ -35,6 +36,7 @@ struct Surface {
   bool edges = true;  ///< hard edges; hidden ones dimmed
   bool faces = true;  ///< false: wireframe
   bool highlighted = false;  ///< outlined (selection or hover)
+  bool operator==(const Surface&) const = default;
 };
 
 /// Line segments of one colour and width (pixels at 100 % scale).
@@ -43,6 +45,7 @@ struct Lines {
   Colour colour{0, 0, 0, 1};
   float width = 2;
   bool on_top = false;  ///< also seen through surfaces, dimmed there
+  bool operator==(const Lines&) const = default;
 };
 
 /// Round marks of one colour and size (pixels at 100 % scale).
@@ -51,6 +54,7 @@ struct Points {
   Colour colour{0, 0, 0, 1};
   float size = 8;
   bool on_top = true;
+  bool operator==(const Points&) const = default;
 };
 
 /// A text at a place in the world, drawn over the picture.
@@ -58,12 +62,14 @@ struct Label {
   glm::dvec3 place{0};
   std::string text;
   Colour colour{0, 0, 0, 1};
+  bool operator==(const Label&) const = default;
 };
 
 /// Cuts away what lies on the positive side of n·p + d = 0.
 struct SectionPlane {
   bool active = false;
   glm::dvec4 plane{1, 0, 0, 0};
+  bool operator==(const SectionPlane&) const = default;
 };
 
 /// Colours of the surroundings; see theme.h.
@@ -76,6 +82,7 @@ struct Surroundings {
       axis_z{0.23f, 0.47f, 0.88f, 1};
   bool show_grid = true, show_axes = true;
   double grid_step = 1;
+  bool operator==(const Surroundings&) const = default;
 };
 
 /// How much care a frame takes: while something moves, less.
@@ -92,6 +99,7 @@ struct Picture {
   Quality quality = Quality::full;
 
   Bounds bounds() const;  ///< of surfaces, lines and points
+  bool operator==(const Picture&) const = default;
 };
 
 }  // namespace sectile::viewer

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace sectile::viewer {
 namespace {
@@ -58,19 +59,30 @@ bool is_soft(const Triangles& triangles, std::uint32_t s, std::uint32_t t) {
   return glm::dot(triangles.normals[s], triangles.normals[t]) > 1 - 1e-9;
 }
 
+// By vertices, then by triangle. Sides go to the smaller of their vertices first, which leaves only
+// a few to be sorted at each: a surface of 100,000 triangles is made anew for each step of a drag.
 std::vector<Side> sides_in_order(const Triangles& triangles) {
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
   const auto& indices = triangles.mesh.indices;
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint64_t from = indices[3 * t + i], to = indices[3 * t + (i + 1) % 3];
-      sides.push_back({std::min(from, to) << 32 | std::max(from, to), t});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return a.vertices != b.vertices ? a.vertices < b.vertices : a.triangle < b.triangle;
+  std::vector<std::uint32_t> ends(triangles.mesh.positions.size() + 1);
+  const auto for_each_side = [&](auto&& visit) {
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const std::uint32_t from = indices[3 * t + i], to = indices[3 * t + (i + 1) % 3];
+        visit(std::min(from, to), std::max(from, to), t);
+      }
+  };
+  for_each_side([&](std::uint32_t low, std::uint32_t, std::uint32_t) { ++ends[low + 1]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  const std::vector<std::uint32_t> begins = ends;
+  std::vector<Side> sides(3 * triangles.size());
+  for_each_side([&](std::uint64_t low, std::uint32_t high, std::uint32_t t) {
+    sides[ends[low]++] = {low << 32 | high, t};
   });
+  for (std::size_t v = 0; v + 1 < begins.size(); ++v)
+    std::sort(sides.begin() + begins[v], sides.begin() + begins[v + 1],
+              [](const Side& a, const Side& b) {
+                return a.vertices != b.vertices ? a.vertices < b.vertices : a.triangle < b.triangle;
+              });
   return sides;
 }
 
@@ -103,6 +115,7 @@ std::shared_ptr<const SurfaceMesh> surface_mesh(const Solid& solid) {
     surface->faces.push_back(triangles.sources[t].face);
   }
   for (const Vec3& p : triangles.mesh.positions) surface->bounds.add(to_glm(p));
+  surface->closed = true;
   add_hard_edges(*surface, triangles);
   return surface;
 }

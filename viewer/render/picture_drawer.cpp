@@ -20,6 +20,7 @@ bool has(const Picture& picture, bool Surface::*what) {
 void set_initial_state() {
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_CULL_FACE);
+  glCullFace(GL_BACK);
   glDisable(GL_BLEND);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_MULTISAMPLE);
@@ -32,19 +33,35 @@ void set_initial_state() {
 
 }  // namespace
 
-Targets& PictureDrawer::targets(const Viewport& viewport, Quality quality) {
-  auto& kept = quality == Quality::fast ? fast_ : full_;
-  if (!kept || kept->width() != viewport.width || kept->height() != viewport.height) {
-    kept.reset();
-    kept = std::make_unique<Targets>(viewport.width, viewport.height,
-                                     quality == Quality::fast ? 1 : samples_at_rest);
+PictureDrawer::Kept& PictureDrawer::kept(const Viewport& viewport, Quality quality) {
+  Kept& kept = quality == Quality::fast ? fast_ : full_;
+  if (!kept.targets || kept.targets->width() != viewport.width ||
+      kept.targets->height() != viewport.height) {
+    kept = {};
+    kept.targets = std::make_unique<Targets>(viewport.width, viewport.height,
+                                             quality == Quality::fast ? 1 : samples_at_rest);
   }
-  return *kept;
+  return kept;
 }
 
 void PictureDrawer::draw(const Picture& picture, const Viewport& viewport, int frame_height,
                          float scale) {
   if (viewport.width <= 0 || viewport.height <= 0) return;
+  Kept& kept = this->kept(viewport, picture.quality);
+  // While only the interface changes, the picture is shown again.
+  if (!kept.drawn || kept.scale != scale || !(*kept.drawn == picture)) {
+    paint(picture, viewport, scale, *kept.targets);
+    kept.drawn = picture;
+    kept.scale = scale;
+    // Meshes that are no longer shown are not kept by the other picture.
+    (picture.quality == Quality::fast ? full_ : fast_).drawn.reset();
+  }
+  kept.targets->show(viewport.x, frame_height - viewport.y - viewport.height);
+  meshes_.sweep();
+}
+
+void PictureDrawer::paint(const Picture& picture, const Viewport& viewport, float scale,
+                          Targets& targets) {
   const glm::dvec2 size(viewport.width, viewport.height);
   const Ground ground = Ground::of(picture, size);
   Bounds depth_range = picture.bounds();
@@ -54,8 +71,7 @@ void PictureDrawer::draw(const Picture& picture, const Viewport& viewport, int f
       picture.camera.projection(size.x / size.y, depth_range) * picture.camera.view();
   const View view{picture, to_clip, size, scale, key_light(picture.camera)};
 
-  Targets& pictures = targets(viewport, picture.quality);
-  pictures.bind_main();
+  targets.bind_main();
   glViewport(0, 0, viewport.width, viewport.height);
   set_initial_state();
   glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
@@ -64,7 +80,7 @@ void PictureDrawer::draw(const Picture& picture, const Viewport& viewport, int f
   ground_.draw_background(view);
   surfaces_.draw_opaque(view);
   ground_.draw_ground(view, ground, marks_);
-  surfaces_.draw_translucent(view, pictures);
+  surfaces_.draw_translucent(view, targets);
   marks_.draw_hidden(view);
   if (has(picture, &Surface::translucent)) surfaces_.add_translucent_depth(view);
   marks_.draw_visible(view);
@@ -72,8 +88,6 @@ void PictureDrawer::draw(const Picture& picture, const Viewport& viewport, int f
     surfaces_.mark_highlighted(view);
     marks_.draw_outlines(view);
   }
-  pictures.show(viewport.x, frame_height - viewport.y - viewport.height);
-  meshes_.sweep();
 }
 
 }  // namespace sectile::viewer

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "render/ground.h"
 #include "render/marks.h"
@@ -14,13 +15,20 @@ class PictureDrawer {
   void draw(const Picture& picture, const Viewport& viewport, int frame_height, float scale);
 
  private:
-  Targets& targets(const Viewport& viewport, Quality quality);
+  // What was drawn last in one quality.
+  struct Kept {
+    std::unique_ptr<Targets> targets;
+    std::optional<Picture> drawn;
+    float scale = 1;
+  };
+  Kept& kept(const Viewport& viewport, Quality quality);
+  void paint(const Picture& picture, const Viewport& viewport, float scale, Targets& targets);
 
   MeshCache meshes_;
   SurfaceDrawer surfaces_{meshes_};
   MarkDrawer marks_{meshes_};
   GroundDrawer ground_;
-  std::unique_ptr<Targets> fast_, full_;
+  Kept fast_, full_;
 };
 
 }  // namespace sectile::viewer

@@ -1,6 +1,7 @@
 #include "render/surfaces.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace sectile::viewer {
 namespace {
@@ -29,6 +30,23 @@ double depth_shift(const View& view, std::size_t index) {
   const double each = std::min(4e-6, 2e-4 / count);
   return (count - static_cast<double>(index)) * each;
 }
+
+// In motion the back faces of closed surfaces are not drawn; only a section shows them.
+class BackFaceCulling {
+ public:
+  BackFaceCulling(const View& view, const Surface& surface)
+      : active_(view.is_fast() && !view.picture.section.active && surface.mesh->closed) {
+    if (active_) glEnable(GL_CULL_FACE);
+  }
+  ~BackFaceCulling() {
+    if (active_) glDisable(GL_CULL_FACE);
+  }
+  BackFaceCulling(const BackFaceCulling&) = delete;
+  BackFaceCulling& operator=(const BackFaceCulling&) = delete;
+
+ private:
+  bool active_;
+};
 
 bool mirrors(const glm::dmat4& model) {
   return glm::determinant(glm::dmat3(model)) < 0;
@@ -79,6 +97,8 @@ void SurfaceDrawer::draw_all(ShaderProgram& program, const View& view, Which whi
   const auto& surfaces = view.picture.surfaces;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!is_drawn(surfaces[i], which)) continue;
+    std::optional<BackFaceCulling> culling;
+    if (which == Which::opaque) culling.emplace(view, surfaces[i]);
     set_place(program, view, surfaces[i], depth_shift(view, i));
     if (&program == &shaded_) set_look(program, view, surfaces[i]);
     draw_one(surfaces[i]);
