@@ -8,8 +8,6 @@ namespace {
 
 // In motion, more edges than these are drawn as the machine's own thin lines.
 constexpr GLsizei edge_ends_in_motion = 2 * 12000;
-// Denser meshes are marked by their colour alone: an outline of all their edges takes a second.
-constexpr GLsizei most_outline_ends = 2 * 60000;
 constexpr float edge_width = 1.5f;
 constexpr float outline_width = 3.5f;  // on each side of the silhouette
 
@@ -167,7 +165,7 @@ void MarkDrawer::draw_outlines(const View& view) {
   for (const Surface& surface : view.picture.surfaces) {
     if (!surface.mesh || !surface.highlighted) continue;
     const MeshBuffers& buffers = meshes_.buffers(surface.mesh);
-    if (buffers.edge_ends > most_outline_ends) continue;
+    if (!buffers.can_be_outlined()) continue;
     draw_segments(view, buffers.ends_texture.id(), buffers.edge_ends,
                   {view.picture.surroundings.outline, 2 * outline_width, surface.model});
   }

@@ -15,6 +15,8 @@ struct MeshBuffers {
   GlTexture ends_texture;  ///< the ends of hard edges, for segment.vert
   GLsizei corners = 0, edge_ends = 0;
   double edge_length = 0;  ///< of hard edges, on average, in model units
+  /// Denser meshes are marked by their colour alone: an outline of all their edges takes a second.
+  bool can_be_outlined() const { return edge_ends <= 2 * 60000; }
 };
 
 class MeshCache {

@@ -115,6 +115,7 @@ void SurfaceDrawer::draw_opaque(const View& view) {
 }
 
 void SurfaceDrawer::add_translucent_depth(const View& view) {
+  if (is_sorted(view)) return;
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.6f, 4.0f);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -124,12 +125,20 @@ void SurfaceDrawer::add_translucent_depth(const View& view) {
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void SurfaceDrawer::draw_translucent(const View& view, Targets& targets) {
+GLsizei SurfaceDrawer::translucent_corners(const View& view) {
   GLsizei corners = 0;
   for (const Surface& surface : view.picture.surfaces)
     if (is_drawn(surface, Which::translucent)) corners += meshes_.buffers(surface.mesh).corners;
-  if (corners == 0) return;
-  if (view.is_fast() && corners > corners_to_peel_in_motion)
+  return corners;
+}
+
+bool SurfaceDrawer::is_sorted(const View& view) {
+  return view.is_fast() && translucent_corners(view) > corners_to_peel_in_motion;
+}
+
+void SurfaceDrawer::draw_translucent(const View& view, Targets& targets) {
+  if (translucent_corners(view) == 0) return;
+  if (is_sorted(view))
     draw_sorted(view);
   else
     peel(view, targets);
@@ -172,8 +181,9 @@ void SurfaceDrawer::peel(const View& view, Targets& targets) {
   targets.bind_main();
 }
 
-// Surface by surface from far to near, back faces before front faces: exact for convex bodies that
-// do not interpenetrate, close for others, and hardly dearer than opaque drawing.
+// Surface by surface from far to near; of closed ones the front faces only, of others back faces
+// before front faces. Exact for convex bodies that do not interpenetrate, close for others, and
+// hardly dearer than opaque drawing.
 void SurfaceDrawer::draw_sorted(const View& view) {
   struct Place {
     double depth;
@@ -198,6 +208,7 @@ void SurfaceDrawer::draw_sorted(const View& view) {
     glCullFace(culled);
     for (const Place& place : order) {
       const Surface& surface = surfaces[place.index];
+      if (culled == GL_FRONT && surface.mesh->closed && !view.picture.section.active) continue;
       set_place(shaded_, view, surface, depth_shift(view, place.index));
       set_look(shaded_, view, surface);
       draw_one(surface);
@@ -218,6 +229,7 @@ void SurfaceDrawer::mark_highlighted(const View& view) {
   depth_only_.use();
   for (const Surface& surface : view.picture.surfaces) {
     if (!surface.mesh || !surface.highlighted) continue;
+    if (!meshes_.buffers(surface.mesh).can_be_outlined()) continue;
     set_place(depth_only_, view, surface, 0);
     draw_one(surface);
   }

@@ -26,6 +26,9 @@ class SurfaceDrawer {
   void set_look(ShaderProgram& program, const View& view, const Surface& surface);
   void draw_all(ShaderProgram& program, const View& view, Which which);
   void draw_one(const Surface& surface);
+  GLsizei translucent_corners(const View& view);
+  /// In motion, where peeling takes too long: neither exact nor with depth.
+  bool is_sorted(const View& view);
   bool is_drawn(const Surface& surface, Which which) const;
   void peel(const View& view, Targets& targets);
   void draw_sorted(const View& view);
