@@ -28,10 +28,29 @@ TEST_P(FilesTruncated, AfterEveryByte) {
   // Only the last line's end and the name after "endsolid" may be missing.
   EXPECT_GE(refused, whole.size() - std::string(" sectile\n").size());
 }
+std::string format_name(const ::testing::TestParamInfo<FileFormat>& test) {
+  switch (test.param) {
+    case FileFormat::off:
+      return "off";
+    case FileFormat::ply_text:
+      return "ply_text";
+    case FileFormat::ply_binary:
+      return "ply_binary";
+    case FileFormat::stl_text:
+      return "stl_text";
+    case FileFormat::stl_binary:
+      return "stl_binary";
+    case FileFormat::obj:
+      break;
+  }
+  return "obj";
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, FilesTruncated,
                          ::testing::Values(FileFormat::off, FileFormat::ply_text,
                                            FileFormat::ply_binary, FileFormat::stl_text,
-                                           FileFormat::stl_binary));
+                                           FileFormat::stl_binary),
+                         format_name);
 
 // OBJ does not say how much there should be: what is complete is kept.
 TEST(FilesTruncatedObj, AfterEveryByte) {

@@ -213,7 +213,12 @@ TEST_P(MeshRegions, random) {
 }
 
 INSTANTIATE_TEST_SUITE_P(triangulation, MeshRegions,
-                         testing::Values(Tracing::region, Tracing::outside, Tracing::mixed));
+                         testing::Values(Tracing::region, Tracing::outside, Tracing::mixed),
+                         [](const auto& test) {
+                           return test.param == Tracing::region    ? "region"
+                                  : test.param == Tracing::outside ? "outside"
+                                                                   : "mixed";
+                         });
 
 TEST(triangulation, ten_thousand_holes) {
   std::mt19937 random(3);
