@@ -172,18 +172,24 @@ class CrossingFaces {
     SegmentRecord record;
     record.place[0] = p.place;
     record.place[1] = q.place;
+    // Beside one of the faces, the other one may end anywhere.
     for (int s = 0; s < 2; ++s) {
-      const Standing from =
-          standing(kernel_, w_.patch[s], pair_.face[s], p.items[s], direction_[s]);
+      const Standing from = stands(s, p, direction_[s]);
       if (from.where != Where::inside) return;
-      const Standing to = standing(kernel_, w_.patch[s], pair_.face[s], q.items[s], -direction_[s]);
-      if (to.where != Where::inside)
-        throw InternalError("a line leaves a face without crossing its boundary");
       record.on[s] = pair_.face[s];
       record.end[s][0] = from.entity;
+    }
+    for (int s = 0; s < 2; ++s) {
+      const Standing to = stands(s, q, -direction_[s]);
+      if (to.where != Where::inside)
+        throw InternalError("a line leaves a face without crossing its boundary");
       record.end[s][1] = to.entity;
     }
     emit(out_, record);
+  }
+
+  Standing stands(int s, const Point& p, const Direction& direction) const {
+    return standing(kernel_, w_.patch[s], pair_.face[s], p.items[s], direction);
   }
 
   const Workspace& w_;
@@ -293,6 +299,7 @@ class EdgeInPlane {
 
   Entity end_entity(const Node& node, const Standing& at, FaceId face, Direction along) const {
     if (node.items.empty()) return carrier(at, face);
+    if (at.where == Where::along) return end_along(w_.patch[1 - s_].brep, at.half_edge, node.items);
     return standing(kernel_, w_.patch[1 - s_], face, node.items, -along).entity;
   }
 

@@ -7,6 +7,7 @@
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
 #include "boolean/reduction/standing.h"
+#include "sectile/errors.h"
 
 namespace sectile {
 namespace {
@@ -46,13 +47,21 @@ class TouchedFaces {
 
   void add(const SegmentRecord& known, FaceId f, std::vector<SegmentRecord>& out) const {
     const Direction along = direction(known, patch().plane(f));
-    const Standing from = at(known.place[0], f, along);
+    std::vector<BoundaryItem> items;
+    if (!find_items(known.place[0], f, items)) return;
+    const Standing from = standing(kernel_, patch(), f, items, along);
     if (from.where == Standing::Where::outside) return;
     SegmentRecord record = known;
-    record.on[s_] =
-        from.where == Standing::Where::inside ? Entity(f) : Entity(Brep::edge_of(from.half_edge));
     record.end[s_][0] = from.entity;
-    record.end[s_][1] = at(known.place[1], f, -along).entity;
+    if (!find_items(known.place[1], f, items))
+      throw InternalError("a segment leaves a face that touches itself");
+    if (from.where == Standing::Where::along) {
+      record.on[s_] = Brep::edge_of(from.half_edge);
+      record.end[s_][1] = end_along(patch().brep, from.half_edge, items);
+    } else {
+      record.on[s_] = f;
+      record.end[s_][1] = standing(kernel_, patch(), f, items, -along).entity;
+    }
     out.push_back(record);
   }
 
@@ -64,14 +73,14 @@ class TouchedFaces {
     return {across, sign * kernel_.cross(plane, across, axis)};
   }
 
-  Standing at(std::uint32_t place, FaceId f, Direction along) const {
+  // What the face's boundary has at a place; false if the place is outside of the face.
+  bool find_items(std::uint32_t place, FaceId f, std::vector<BoundaryItem>& items) const {
     std::vector<Entity> found;
     locate(kernel_, patch(), f, Probe(kernel_, w_.point(place)), found);
-    if (found.empty()) return {Standing::Where::outside, {}, {}};
-    std::vector<BoundaryItem> items;
+    items.clear();
     for (const Entity entity : found) add_items(patch(), f, entity, items);
     std::sort(items.begin(), items.end());
-    return standing(kernel_, patch(), f, items, along);
+    return !found.empty();
   }
 
   const Workspace& w_;

@@ -1,5 +1,7 @@
 #include "boolean/reduction/standing.h"
 
+#include "sectile/errors.h"
+
 namespace sectile {
 
 void add_items(const Patch& patch, FaceId face, Entity entity, std::vector<BoundaryItem>& items) {
@@ -96,6 +98,13 @@ Standing standing(const Kernel& kernel, const Patch& patch, FaceId face,
   if (items.size() > 1) return among(kernel, patch, plane, items, d);
   return items[0].entity.is_edge() ? on_edge(kernel, patch, plane, items[0], d)
                                    : at_corner(kernel, patch, items[0], d);
+}
+
+Entity end_along(const Brep& brep, HalfEdgeId h, std::span<const BoundaryItem> items) {
+  const Entity edge = Brep::edge_of(h), from = brep.from(h), to = brep.to(h);
+  for (const BoundaryItem& item : items)
+    if (item.entity == edge || item.entity == from || item.entity == to) return item.entity;
+  throw InternalError("a segment along an edge ends away from it");
 }
 
 }  // namespace sectile

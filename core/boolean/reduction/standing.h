@@ -32,4 +32,8 @@ void add_items(const Patch& patch, FaceId face, Entity entity, std::vector<Bound
 Standing standing(const Kernel& kernel, const Patch& patch, FaceId face,
                   std::span<const BoundaryItem> items, Direction d);
 
+/// For a segment along a half-edge: what of these items is the edge or its end. Several edges of a
+/// face that touches itself may run there.
+Entity end_along(const Brep& brep, HalfEdgeId h, std::span<const BoundaryItem> items);
+
 }  // namespace sectile
