@@ -327,8 +327,7 @@ bool defines(const Geometry& geometry, const Vec3& p, const PlaneDefinition& pla
   const PlaneDefinition::Kind kind = plane.kind();
   if (kind == PlaneDefinition::Kind::coefficients) return false;
   const auto is = [&](std::uint32_t id) { return geometry.position(PointId(id)) == p; };
-  return is(plane.a) || is(plane.b) ||
-         (kind == PlaneDefinition::Kind::three_points && is(plane.c));
+  return is(plane.a) || is(plane.b) || (kind == PlaneDefinition::Kind::three_points && is(plane.c));
 }
 
 }  // namespace
