@@ -84,7 +84,7 @@ class Scene {
 template <class Check>
 void in_many_scenes(const Check& check) {
   AnyDouble any(11);
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < 60; ++i) {
     Scene scene(any, i % 2 == 0);
     for (int j = 0; j < 40; ++j) check(scene);
   }
