@@ -4,3 +4,26 @@ if(TARGET sectile_viewer_app)
     SOURCES app_driver.cpp app_test.cpp app_drag_test.cpp app_tree_test.cpp app_work_test.cpp
     LIBRARIES sectile_viewer_app)
 endif()
+
+# The program itself with a real mouse and real keys, on a display that nobody sees.
+find_program(XVFB_RUN xvfb-run)
+find_program(XDOTOOL xdotool)
+if(TARGET sectile_viewer)
+  add_executable(program_in_window_test app_driver.cpp program_in_window_test.cpp)
+  sectile_target(program_in_window_test)
+  target_include_directories(program_in_window_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(program_in_window_test
+    PRIVATE SECTILE_VIEWER_PROGRAM="$<TARGET_FILE:sectile_viewer>")
+  target_link_libraries(program_in_window_test PRIVATE sectile_viewer_app GTest::gtest_main)
+  add_dependencies(program_in_window_test sectile_viewer)
+  if(XVFB_RUN AND XDOTOOL)
+    add_test(NAME program_in_window_test
+             COMMAND ${XVFB_RUN} -a -s "-screen 0 1400x1000x24 -noreset"
+                     $<TARGET_FILE:program_in_window_test>)
+  else()
+    add_test(NAME program_in_window_test
+             COMMAND ${CMAKE_COMMAND} -E echo "Xvfb or xdotool is not installed")
+    set_tests_properties(program_in_window_test PROPERTIES SKIP_REGULAR_EXPRESSION "not installed")
+  endif()
+  set_tests_properties(program_in_window_test PROPERTIES LABELS xvfb TIMEOUT 600)
+endif()

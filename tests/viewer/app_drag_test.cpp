@@ -92,6 +92,18 @@ TEST(AppDrag, EachDragIsOneStepOfUndo) {
   }
 }
 
+TEST(AppDrag, KeysAfterAFastDragComeAfterIt) {
+  AppDriver driver;
+  driver.add("block");
+  const glm::dvec2 from = driver.middle("handle.x");
+  driver.drag_and_key(from, from + glm::dvec2(70, 20), 'D', true);
+  ASSERT_EQ(driver.scene().roots().size(), 2u) << "Ctrl+D duplicates";
+  const double x = placement(driver, 0).position.x;
+  EXPECT_GT(x, 0.2);
+  EXPECT_EQ(x * 20, std::round(x * 20)) << "Ctrl belongs to the key: the drag snaps";
+  EXPECT_EQ(placement(driver, 1).position.x, x + 1);
+}
+
 TEST(AppDrag, LocalAxesFollowTheSolid) {
   AppDriver driver;
   driver.add("block");

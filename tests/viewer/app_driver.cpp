@@ -77,6 +77,22 @@ void AppDriver::let_go(glm::dvec2 at) {
   settle();
 }
 
+void AppDriver::drag_and_key(glm::dvec2 from, glm::dvec2 to, char letter, bool control) {
+  Event press;
+  press.kind = Event::Kind::key_down;
+  press.key = static_cast<Key>(letter);
+  press.control = control;
+  Event release = press;
+  release.kind = Event::Kind::key_up;
+  using Kind = Event::Kind;
+  const auto by_mouse = [](Kind kind, glm::dvec2 at) {
+    return mouse(kind, at, MouseButton::left, false, false);
+  };
+  send({by_mouse(Kind::mouse_move, from), by_mouse(Kind::mouse_down, from),
+        by_mouse(Kind::mouse_move, to), by_mouse(Kind::mouse_up, to), press, release});
+  settle(8);
+}
+
 void AppDriver::double_click(glm::dvec2 at) {
   move(at);
   for (int i = 0; i < 2; ++i) {

@@ -32,6 +32,8 @@ class AppDriver {
   /// The first part of a drag; other events may come before let_go().
   void hold(glm::dvec2 from, glm::dvec2 to, bool control = false);
   void let_go(glm::dvec2 at);
+  /// A drag and a key right after it, all of it between two frames.
+  void drag_and_key(glm::dvec2 from, glm::dvec2 to, char letter, bool control);
   void double_click(glm::dvec2 at);
   /// The middle of a named widget.
   glm::dvec2 middle(const std::string& name) const;

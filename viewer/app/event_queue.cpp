@@ -3,16 +3,31 @@
 #include <imgui.h>
 
 #include <cfloat>
+#include <optional>
 #include <set>
 
 namespace sectile::viewer {
 namespace {
 
+bool has_modifiers(Event::Kind kind) {
+  return kind != Event::Kind::text && kind != Event::Kind::drop &&
+         kind != Event::Kind::focus_lost && kind != Event::Kind::close;
+}
+
 /// What changed in this frame already and so cannot change again in it.
 struct Changed {
   std::set<int> buttons, keys;
+  std::optional<Event> first;  // of those with modifiers
+
+  bool has_other_modifiers(const Event& event) const {
+    return first && has_modifiers(event.kind) &&
+           (first->shift != event.shift || first->control != event.control ||
+            first->alt != event.alt);
+  }
 
   bool admits(const Event& event) const {
+    // Ctrl that is pressed for a key just after a drag does not change the drag.
+    if (has_other_modifiers(event)) return false;
     switch (event.kind) {
       case Event::Kind::mouse_move:
         return buttons.empty();
@@ -20,6 +35,9 @@ struct Changed {
       case Event::Kind::mouse_up:
         return !buttons.count(static_cast<int>(event.button));
       case Event::Kind::key_down:
+        // Commands run before the mouse is looked at, and not within a drag that ends in this
+        // frame.
+        return buttons.empty() && !keys.count(static_cast<int>(event.key));
       case Event::Kind::key_up:
         return !keys.count(static_cast<int>(event.key));
       case Event::Kind::scroll:
@@ -30,11 +48,6 @@ struct Changed {
     }
   }
 };
-
-bool has_modifiers(Event::Kind kind) {
-  return kind != Event::Kind::text && kind != Event::Kind::drop &&
-         kind != Event::Kind::focus_lost && kind != Event::Kind::close;
-}
 
 void release_everything(ImGuiIO& io) {
   for (bool& down : io.MouseDown) down = false;
@@ -48,6 +61,7 @@ void apply(const Event& event, ImGuiIO& io, Changed& changed) {
     io.KeyShift = event.shift;
     io.KeyCtrl = event.control;
     io.KeyAlt = event.alt;
+    if (!changed.first) changed.first = event;
   }
   const bool down = event.kind == Event::Kind::mouse_down || event.kind == Event::Kind::key_down;
   switch (event.kind) {
