@@ -14,7 +14,7 @@ struct ViewSettings {
   bool wireframe = false;
   bool labels = false;
   bool eight_way = false;
-  double exploded = 0;       ///< 0 … 1, of the story's pictures
+  double exploded = 0.2;     ///< 0 … 1, of the story's pictures
   bool section = false;      ///< the section plane cuts
   int section_axis = 0;      ///< x, y, z
   double section_place = 0;  ///< along the axis
