@@ -197,9 +197,7 @@ class Spreading {
         const PlaneId across = plane_between(from, to, axis);
         if (w_.tests().side(from, across) * w_.tests().side(to, across) != Sign::negative) continue;
         const Construction how = edge_plane_construction(w_, s_, h, across);
-        const ExactPoint exact = w_.tests().exact(how);
-        const Vec3 position = rounded(exact);
-        const PointId made = add_constructed(w_.geometry, how, position, equals(exact, position));
+        const PointId made = add_constructed(w_.geometry, how, w_.tests().construct(how));
         w_.kernel->refresh();
         return made;
       }

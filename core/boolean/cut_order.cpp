@@ -105,10 +105,8 @@ class CutOrder {
     const PlaneId plane = patch().plane(face);
     const PlaneId across =
         kernel_.parallel(plane, segment.plane[0]) ? segment.plane[1] : segment.plane[0];
-    const int axis = kernel_.cross_axis(plane, across);
-    const Sign along =
-        kernel_.compare(w_.point(segment.place[0]), w_.point(segment.place[1]), axis);
-    const Direction d{across, along * kernel_.cross(plane, across, axis)};
+    const Direction d = direction_between(kernel_, plane, across, w_.point(segment.place[0]),
+                                          w_.point(segment.place[1]));
     return end.which == 0 ? d : -d;
   }
 

@@ -3,17 +3,20 @@
 namespace sectile {
 
 bool same_way(const Kernel& kernel, PlaneId plane, Direction a, Direction b) {
-  const int axis = kernel.cross_axis(plane, a.across);
-  return kernel.cross(plane, a.across, axis) * a.sense ==
-         kernel.cross(plane, b.across, axis) * b.sense;
+  const auto [axis, sign] = kernel.main_cross(plane, a.across);
+  return sign * a.sense == kernel.cross(plane, b.across, axis) * b.sense;
+}
+
+Direction direction_between(const Kernel& kernel, PlaneId plane, PlaneId across, PointId p,
+                            PointId q) {
+  const auto [axis, sign] = kernel.main_cross(plane, across);
+  return {across, kernel.compare(p, q, axis) * sign};
 }
 
 Direction direction_of(const Kernel& kernel, const Patch& patch, HalfEdgeId h) {
   const Brep& brep = patch.brep;
-  const PlaneId plane = brep.plane_of(h), across = patch.side(h);
-  const int axis = kernel.cross_axis(plane, across);
-  const PointId from = brep.point_of(brep.from(h)), to = brep.point_of(brep.to(h));
-  return {across, kernel.compare(from, to, axis) * kernel.cross(plane, across, axis)};
+  return direction_between(kernel, brep.plane_of(h), patch.side(h), brep.point_of(brep.from(h)),
+                           brep.point_of(brep.to(h)));
 }
 
 Within within_sector(const Kernel& kernel, PlaneId plane, Direction d, Direction first,

@@ -21,6 +21,10 @@ inline Sign turn(const Kernel& kernel, PlaneId plane, Direction a, Direction b) 
 /// For directions without a turn: do they agree (or are they opposite)?
 bool same_way(const Kernel& kernel, PlaneId plane, Direction a, Direction b);
 
+/// The direction from p to q, two points of a plane and of a plane across.
+Direction direction_between(const Kernel& kernel, PlaneId plane, PlaneId across, PointId p,
+                            PointId q);
+
 /// The direction in which a half-edge runs, within the plane of its face.
 Direction direction_of(const Kernel& kernel, const Patch& patch, HalfEdgeId h);
 

@@ -1,13 +1,10 @@
 #include "boolean/face_location.h"
 
 #include "boolean/ray_count.h"
+#include "geometry/axes.h"
 
 namespace sectile {
 namespace {
-
-double on_axis(const Vec3& p, int axis) {
-  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
 
 // A triangle's third corner tells the inner side of each edge.
 Entity locate_in_triangle(const Kernel& kernel, const Patch& patch, HalfEdgeId first,
@@ -56,7 +53,7 @@ void locate(const Kernel& kernel, const Patch& patch, FaceId face, const Probe& 
   RayCount count(kernel, patch, patch.plane(face), point);
   if (const BoxTree* tree = patch.half_edge_tree[face.value()].get()) {
     const int i = count.i(), j = count.j();
-    const double at_i = on_axis(point.position(), i), at_j = on_axis(point.position(), j);
+    const double at_i = component(point.position(), i), at_j = component(point.position(), j);
     const auto meets = [&](const Box& b) {
       return b.low[j] <= at_j && at_j <= b.high[j] && b.high[i] >= at_i;
     };

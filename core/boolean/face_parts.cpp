@@ -5,15 +5,12 @@
 
 #include "boolean/ray_count.h"
 #include "boolean/reduction/standing.h"
+#include "geometry/axes.h"
 #include "sectile/errors.h"
 #include "topology/euler.h"
 
 namespace sectile {
 namespace {
-
-double on_axis(const Vec3& p, int axis) {
-  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
 
 // Twice the signed area of the projection, with a bound for all rounding.
 Estimate estimated_area(const Geometry& g, const std::vector<PointId>& loop, int i, int j) {
@@ -21,8 +18,8 @@ Estimate estimated_area(const Geometry& g, const std::vector<PointId>& loop, int
   double area = 0, extent_i = 0, extent_j = 0, size_i = 0, size_j = 0;
   double last_i = 0, last_j = 0;
   for (const PointId p : loop) {
-    const double x = on_axis(g.position(p), i), y = on_axis(g.position(p), j);
-    const double di = x - on_axis(origin, i), dj = y - on_axis(origin, j);
+    const double x = component(g.position(p), i), y = component(g.position(p), j);
+    const double di = x - component(origin, i), dj = y - component(origin, j);
     area += last_i * dj - last_j * di;
     extent_i = std::max(extent_i, std::abs(di));
     extent_j = std::max(extent_j, std::abs(dj));
@@ -216,8 +213,8 @@ class Family {
   void count_crossings(std::uint32_t outer, const Vec3& at, RayCount& count) const {
     const int i = count.i(), j = count.j();
     const auto meets = [&](const Box& b) {
-      return b.low[j] <= on_axis(at, j) && on_axis(at, j) <= b.high[j] &&
-             b.high[i] >= on_axis(at, i);
+      return b.low[j] <= component(at, j) && component(at, j) <= b.high[j] &&
+             b.high[i] >= component(at, i);
     };
     const std::uint32_t first = outer == 0 ? 0 : outer_end_[outer - 1];
     if (const BoxTree* tree = edge_trees_[outer].get()) {

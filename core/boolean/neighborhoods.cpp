@@ -85,14 +85,13 @@ class SegmentBuilder {
 
   void find_planes() {
     segment_.plane[0] = half_planes()[0].plane;
-    for (const HalfPlane& h : half_planes())
-      if (!kernel_.parallel(segment_.plane[0], h.plane)) {
-        segment_.plane[1] = h.plane;
-        axis_ = kernel_.cross_axis(segment_.plane[0], h.plane);
-        line_ = kernel_.compare(w_.point(segment_.place[0]), w_.point(segment_.place[1]), axis_);
-        return;
-      }
-    axis_ = -1;
+    for (const HalfPlane& h : half_planes()) {
+      axis_ = kernel_.cross_axis(segment_.plane[0], h.plane);
+      if (axis_ < 0) continue;
+      segment_.plane[1] = h.plane;
+      line_ = kernel_.compare(w_.point(segment_.place[0]), w_.point(segment_.place[1]), axis_);
+      return;
+    }
   }
 
   // The sign of (m_i × m_j) · d, where m is the normal, turned back for backward half-planes: the
@@ -120,15 +119,21 @@ class SegmentBuilder {
   void sort() {
     const HalfPlane start = half_planes()[0];
     auto planes = half_planes();
-    std::vector<std::pair<int, HalfPlane>> keyed;
-    for (const HalfPlane& h : planes) keyed.push_back({quarter(start, h), h});
-    std::stable_sort(keyed.begin(), keyed.end(), [&](const auto& p, const auto& q) {
-      if (p.first != q.first) return p.first < q.first;
-      const Sign sign = turn(p.second, q.second);
+    keyed_.clear();
+    for (const HalfPlane& h : planes) keyed_.push_back({quarter(start, h), h});
+    std::sort(keyed_.begin(), keyed_.end(), [&](const Keyed& p, const Keyed& q) {
+      if (p.quarter != q.quarter) return p.quarter < q.quarter;
+      const Sign sign = turn(p.half_plane, q.half_plane);
       if (sign != Sign::zero) return sign == Sign::positive;
-      return p.second.solid < q.second.solid;
+      if (p.half_plane.solid != q.half_plane.solid) return p.half_plane.solid < q.half_plane.solid;
+      return before(p.half_plane, q.half_plane);
     });
-    for (std::size_t i = 0; i < keyed.size(); ++i) planes[i] = keyed[i].second;
+    for (std::size_t i = 0; i < keyed_.size(); ++i) planes[i] = keyed_[i].half_plane;
+  }
+
+  // In the order in which they were found.
+  static bool before(const HalfPlane& i, const HalfPlane& j) {
+    return i.carrier != j.carrier ? i.carrier < j.carrier : i.forward && !j.forward;
   }
 
   bool tied(const HalfPlane& i, const HalfPlane& j) const {
@@ -159,14 +164,16 @@ class SegmentBuilder {
 
   void pair_wedges(Operation operation, std::vector<WedgePair>& wedges) {
     auto planes = half_planes();
-    std::vector<std::uint32_t> kept_planes;
+    auto& kept_planes = kept_planes_;
+    kept_planes.clear();
     for (std::uint32_t i = 0; i < planes.size(); ++i)
       if (kept(operation, planes[i].solid, planes[i].cls)) kept_planes.push_back(i);
     const auto starts_material = [&](std::uint32_t i) {
       return (planes[i].forward == reversed(operation, planes[i].solid)) != w_.of_complement;
     };
     const std::size_t count = kept_planes.size();
-    std::vector<std::uint32_t> partner(planes.size(), no_element);
+    auto& partner = partner_;
+    partner.assign(planes.size(), no_element);
     for (std::size_t k = 0; k < count; ++k) {
       const std::uint32_t i = kept_planes[k], j = kept_planes[k + 1 < count ? k + 1 : 0];
       if (starts_material(i) == starts_material(j))
@@ -194,6 +201,12 @@ class SegmentBuilder {
   const Kernel& kernel_;
   std::span<const Operation> wanted_;
   Segment segment_{};
+  struct Keyed {
+    int quarter;
+    HalfPlane half_plane;
+  };
+  std::vector<Keyed> keyed_;
+  std::vector<std::uint32_t> kept_planes_, partner_;
   int axis_ = -1;
   Sign line_ = Sign::zero;
 };

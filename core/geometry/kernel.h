@@ -1,42 +1,32 @@
 // The exact tests. Nothing else decides anything.
 //
-// Every test is a formula that is evaluated up to three times: in doubles with an error bound;
-// then, if the operands' coefficients are doubles without error, as an exact sum of products; then
-// in dyadic numbers of any length. The last always answers.
+// Every test is a formula that is evaluated up to three times: in doubles with an error bound; in
+// pairs of doubles with an error bound, or, if the operands' coefficients are doubles without
+// error, as an exact sum of products; in dyadic numbers of any length. The last always answers.
 #pragma once
 
 #include <atomic>
 #include <memory>
 #include <vector>
 
-#include "geometry/geometry.h"
+#include "geometry/formulas.h"
+#include "geometry/plane_value.h"
+#include "numbers/bounded.h"
 #include "numbers/dyadic.h"
 #include "numbers/sign.h"
 
 namespace sectile {
 
-/// A plane's coefficients in doubles. The true ones differ by at most the errors.
-struct PlaneValue {
-  double n[3];
-  double d;
-  double n_error;  ///< bound for each component of the normal
-  double d_error;
-  bool exact;  ///< both errors are zero
-};
+using ExactPlane = PlaneOf<Dyadic>;
+using ExactPoint = PointOf<Dyadic>;
+using BoundedPlane = PlaneOf<Bounded>;
+using BoundedPoint = PointOf<Bounded>;
 
-/// A plane's exact coefficients.
-struct ExactPlane {
-  Dyadic n[3], d;
+/// Where a construction leads.
+struct ConstructedPoint {
+  Vec3 position;     ///< rounded to nearest
+  bool is_explicit;  ///< the position is exact
 };
-
-/// A point's exact homogeneous coordinates; w is never zero.
-struct ExactPoint {
-  Dyadic x, y, z, w;
-};
-
-PlaneValue plane_value(const Geometry& geometry, PlaneId plane);
-ExactPlane exact_plane(const Geometry& geometry, PlaneId plane);
-ExactPoint exact_point(const Geometry& geometry, PointId point);
 
 /// A value known up to an error.
 struct Estimate {
@@ -69,8 +59,14 @@ class Kernel {
   Sign det(PlaneId a, PlaneId b, PlaneId c) const;
   /// The sign of one component of normal(a) × normal(b).
   Sign cross(PlaneId a, PlaneId b, int axis) const;
-  /// An axis on which normal(a) × normal(b) is not zero, or -1 if the planes are parallel.
-  int cross_axis(PlaneId a, PlaneId b) const;
+  struct AxisSign {
+    int axis;  ///< 0, 1, 2
+    Sign sign;
+  };
+  /// An axis on which normal(a) × normal(b) is not zero, and the sign there; -1 and zero if the
+  /// planes are parallel.
+  AxisSign main_cross(PlaneId a, PlaneId b) const;
+  int cross_axis(PlaneId a, PlaneId b) const { return main_cross(a, b).axis; }
   bool parallel(PlaneId a, PlaneId b) const { return cross_axis(a, b) < 0; }
   /// The sign of one component of the normal.
   Sign normal(PlaneId a, int axis) const;
@@ -90,12 +86,17 @@ class Kernel {
   const ExactPlane& exact(PlaneId s) const;
   const ExactPoint& exact(PointId p) const;
   ExactPoint exact(const Construction& how) const;
+  const BoundedPlane& bounded(PlaneId s) const;
+  BoundedPoint bounded(PointId p) const;
+  BoundedPoint bounded(const Construction& how) const;
+  ConstructedPoint construct(const Construction& how) const;
 
  private:
   Sign exact_side(PointId point, PlaneId plane) const;
 
   const Geometry& geometry_;
   std::vector<PlaneValue> values_;
+  mutable std::vector<std::atomic<const BoundedPlane*>> bounded_planes_;
   mutable std::vector<std::atomic<const ExactPlane*>> exact_planes_;
   mutable std::vector<std::atomic<const ExactPoint*>> exact_points_;
 };

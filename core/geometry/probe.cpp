@@ -4,8 +4,9 @@
 
 namespace sectile {
 
-Vec3 rounded(const ExactPoint& p) {
-  return {nearest_quotient(p.x, p.w), nearest_quotient(p.y, p.w), nearest_quotient(p.z, p.w)};
+const BoundedPoint& Probe::bounded() const {
+  if (!bounded_) bounded_ = kernel_.bounded(how_);
+  return *bounded_;
 }
 
 const ExactPoint& Probe::exact() const {
@@ -30,46 +31,29 @@ Sign Probe::side(PlaneId plane) const {
       8 * 4.9406564584124654e-324;
   const Estimate crossing{left - right, error};
   if (crossing.decided()) return crossing.sign() * to_side_;
-  const ExactPlane& e = kernel_.exact(plane);
-  const ExactPoint& p = exact();
-  return (e.n[0] * p.x + e.n[1] * p.y + e.n[2] * p.z + e.d * p.w).sign() * p.w.sign();
+  const Bounded near = value_at(kernel_.bounded(plane), bounded());
+  if (near.decided() && bounded().w.decided()) return near.sign() * bounded().w.sign();
+  return value_at(kernel_.exact(plane), exact()).sign() * exact().w.sign();
 }
 
 const Vec3& Probe::position() const {
   if (point_.valid()) return kernel_.geometry().position(point_);
-  if (!position_) position_ = rounded(exact());
+  if (!position_) position_ = kernel_.construct(how_).position;
   return *position_;
 }
 
-bool equals(const ExactPoint& e, const Vec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) &&
-         (e.x - Dyadic(p.x) * e.w).sign() == Sign::zero &&
-         (e.y - Dyadic(p.y) * e.w).sign() == Sign::zero &&
-         (e.z - Dyadic(p.z) * e.w).sign() == Sign::zero;
-}
-
-namespace {
-
-double on_axis(const Vec3& p, int axis) {
-  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
-const Dyadic& on_axis(const ExactPoint& p, int axis) {
-  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
-
-}  // namespace
-
 Sign Probe::compare(PointId q, int axis) const {
   if (point_.valid()) return kernel_.compare(point_, q, axis);
-  const double x = on_axis(position(), axis), y = on_axis(kernel_.geometry().position(q), axis);
+  const double x = component(position(), axis), y = component(kernel_.geometry().position(q), axis);
   if (x != y) return x < y ? Sign::positive : Sign::negative;
   const ExactPoint &u = exact(), &v = kernel_.exact(q);
-  return (on_axis(v, axis) * u.w - on_axis(u, axis) * v.w).sign() * u.w.sign() * v.w.sign();
+  return minor(v.x[axis], v.w, u.x[axis], u.w).sign() * u.w.sign() * v.w.sign();
 }
 
-PointId add_constructed(Geometry& geometry, const Construction& how, const Vec3& position,
-                        bool is_explicit) {
-  return is_explicit ? geometry.add_point(position) : geometry.add_point(how, position);
+PointId add_constructed(Geometry& geometry, const Construction& how,
+                        const ConstructedPoint& point) {
+  return point.is_explicit ? geometry.add_point(point.position)
+                           : geometry.add_point(how, point.position);
 }
 
 }  // namespace sectile

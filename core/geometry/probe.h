@@ -29,6 +29,7 @@ class Probe {
   const Vec3& position() const;
 
  private:
+  const BoundedPoint& bounded() const;
   const ExactPoint& exact() const;
 
   const Kernel& kernel_;
@@ -36,17 +37,12 @@ class Probe {
   Construction how_;
   Estimate at_from_{}, at_to_{};
   Sign to_side_ = Sign::zero;
+  mutable std::optional<BoundedPoint> bounded_;
   mutable std::optional<ExactPoint> exact_;
   mutable std::optional<Vec3> position_;
 };
 
-/// The rounded position of exact homogeneous coordinates.
-Vec3 rounded(const ExactPoint& point);
-/// Is the point exactly this position?
-bool equals(const ExactPoint& point, const Vec3& position);
-
 /// Adds the point of a construction, as an explicit one if it is three doubles.
-PointId add_constructed(Geometry& geometry, const Construction& how, const Vec3& position,
-                        bool is_explicit);
+PointId add_constructed(Geometry& geometry, const Construction& how, const ConstructedPoint& point);
 
 }  // namespace sectile

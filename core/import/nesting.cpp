@@ -53,7 +53,7 @@ class LineThroughFace {
   // The parabola's point at the parameter k / n, with the weight n².
   void choose_point(int k, int n) {
     const double weights[3] = {double(n - k) * (n - k), 2.0 * k * (n - k), double(k) * k};
-    Dyadic* const coordinates[] = {&point_.x, &point_.y, &point_.z};
+    Dyadic* const coordinates[] = {&point_.x[0], &point_.x[1], &point_.x[2]};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       Dyadic sum;
       for (std::size_t i = 0; i < 3; ++i)
@@ -70,7 +70,8 @@ class LineThroughFace {
   // Nothing if the line meets an edge.
   std::optional<int> count() const {
     constexpr double far = std::numeric_limits<double>::infinity();
-    const double y = nearest_quotient(point_.y, point_.w), z = nearest_quotient(point_.z, point_.w);
+    const double y = nearest_quotient(point_.x[1], point_.w),
+                 z = nearest_quotient(point_.x[2], point_.w);
     const double low_y = std::nextafter(y, -far), high_y = std::nextafter(y, far),
                  low_z = std::nextafter(z, -far), high_z = std::nextafter(z, far);
     std::vector<FaceId> faces;
@@ -98,10 +99,7 @@ class LineThroughFace {
     return faces_on ? beyond : beyond - 1;
   }
 
-  Sign side_of(PlaneId plane) const {
-    const ExactPlane& s = kernel_.exact(plane);
-    return (s.n[0] * point_.x + s.n[1] * point_.y + s.n[2] * point_.z + s.d * point_.w).sign();
-  }
+  Sign side_of(PlaneId plane) const { return value_at(kernel_.exact(plane), point_).sign(); }
 
   // Does the line go through the face? Nothing if it meets an edge of it.
   std::optional<bool> meets(FaceId f) const {
@@ -111,11 +109,11 @@ class LineThroughFace {
                     v = data_.brep.point_of(data_.brep.to(h));
       const Dyadic uy(coordinate(u, 1)), vy(coordinate(v, 1)), uz(coordinate(u, 2)),
           vz(coordinate(v, 2));
-      const Dyadic from_u = point_.y - uy * point_.w, from_v = point_.y - vy * point_.w;
+      const Dyadic from_u = point_.x[1] - uy * point_.w, from_v = point_.x[1] - vy * point_.w;
       const Sign side_u = from_u.sign(), side_v = from_v.sign();
       if (side_u == Sign::zero || side_v == Sign::zero) on_edge = true;
       if (side_u == side_v || on_edge) return;
-      const Sign turn = ((vy - uy) * (point_.z - uz * point_.w) - (vz - uz) * from_u).sign();
+      const Sign turn = ((vy - uy) * (point_.x[2] - uz * point_.w) - (vz - uz) * from_u).sign();
       if (turn == Sign::zero) on_edge = true;
       if ((turn == Sign::positive) == (side_u == Sign::negative)) odd = !odd;
     });

@@ -23,6 +23,7 @@ class Dyadic {
   ~Dyadic() {
     if (on_heap()) delete[] heap_;
   }
+  static Dyadic difference(double a, double b) { return Dyadic(a) - Dyadic(b); }
 
   Sign sign() const {
     return size_ == 0 ? Sign::zero : negative_ ? Sign::negative : Sign::positive;

@@ -66,8 +66,8 @@ ExactAffine::ExactAffine(const Transform& transform) : transform_(transform) {
 Vec3 ExactAffine::rounded(const ExactPoint& p) const {
   double image[3];
   for (int row = 0; row < 3; ++row) {
-    const Dyadic numerator =
-        entry(row, 0) * p.x + entry(row, 1) * p.y + entry(row, 2) * p.z + entry(row, 3) * p.w;
+    const Dyadic numerator = entry(row, 0) * p.x[0] + entry(row, 1) * p.x[1] +
+                             entry(row, 2) * p.x[2] + entry(row, 3) * p.w;
     image[row] = nearest_quotient(numerator, p.w);
   }
   return {image[0], image[1], image[2]};

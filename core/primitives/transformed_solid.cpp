@@ -49,10 +49,8 @@ bool round_implicit_points(Geometry& geometry) {
   const Kernel kernel(geometry);
   for (std::size_t p = 0; p < geometry.positions.size(); ++p) {
     if (geometry.is_explicit(PointId(p))) continue;
-    const ExactPoint exact = kernel.exact(geometry.construction(PointId(p)));
     Vec3& position = geometry.positions[p];
-    position = {nearest_quotient(exact.x, exact.w), nearest_quotient(exact.y, exact.w),
-                nearest_quotient(exact.z, exact.w)};
+    position = kernel.construct(geometry.construction(PointId(p))).position;
     if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
       return false;
   }

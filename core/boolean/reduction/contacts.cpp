@@ -132,8 +132,7 @@ Construction contact_construction(const Workspace& w, const Contact& contact) {
 void make_points(Workspace& w) {
   struct Made {
     Construction how;
-    Vec3 position;
-    bool is_explicit = false;
+    ConstructedPoint point;
   };
   std::vector<Made> made(w.contacts.size());
   collect<int>(w.contacts.size(), 64, [&](std::size_t i, int&) {
@@ -147,14 +146,11 @@ void make_points(Workspace& w) {
     c.point = known;
     if (known.valid()) return;
     made[i].how = contact_construction(w, c);
-    const ExactPoint exact = w.tests().exact(made[i].how);
-    made[i].position = rounded(exact);
-    made[i].is_explicit = equals(exact, made[i].position);
+    made[i].point = w.tests().construct(made[i].how);
   });
   for (std::size_t i = 0; i < made.size(); ++i)
     if (!w.contacts[i].point.valid())
-      w.contacts[i].point =
-          add_constructed(w.geometry, made[i].how, made[i].position, made[i].is_explicit);
+      w.contacts[i].point = add_constructed(w.geometry, made[i].how, made[i].point);
   w.kernel->refresh();
 }
 

@@ -86,10 +86,8 @@ class CrossingEdges {
 void add_contacts(Workspace& w, const std::vector<Crossing>& crossings) {
   const std::size_t first = w.contacts.size();
   for (const Crossing& crossing : crossings) {
-    const ExactPoint exact = w.tests().exact(crossing.how);
-    const Vec3 position = rounded(exact);
     const PointId point =
-        add_constructed(w.geometry, crossing.how, position, equals(exact, position));
+        add_constructed(w.geometry, crossing.how, w.tests().construct(crossing.how));
     for (const std::uint32_t record : crossing.record) {
       Contact contact;
       for (const int s : {0, 1}) contact.on[s] = w.records[record].on[s];

@@ -72,47 +72,63 @@ void emit(std::vector<SegmentRecord>& out, SegmentRecord r) {
 // Two faces in different planes: the common line enters and leaves both of them at contacts.
 class CrossingFaces {
  public:
-  CrossingFaces(const Workspace& w, const ContactTable& table, std::vector<SegmentRecord>& out)
-      : w_(w), kernel_(w.tests()), table_(table), out_(out) {}
+  // What is kept from pair to pair, for its memory.
+  struct Scratch {
+    // Something of a face's boundary at a place on the common line.
+    struct Item {
+      std::uint32_t place;
+      int solid;
+      BoundaryItem of;
+      friend auto operator<=>(const Item&, const Item&) = default;
+    };
+    struct Point {
+      std::uint32_t place;
+      std::span<const Item> items[2];
+    };
+    struct EdgeOnLine {
+      int solid;
+      HalfEdgeId h;
+    };
+    std::vector<SidedHalfEdge> sided;
+    std::vector<Item> items;
+    std::vector<Point> points;
+    std::vector<EdgeOnLine> edges_on_line;
+    std::vector<BoundaryItem> bounds;
+  };
+
+  CrossingFaces(const Workspace& w, const ContactTable& table, Scratch& scratch,
+                std::vector<SegmentRecord>& out)
+      : w_(w), kernel_(w.tests()), table_(table), scratch_(scratch), out_(out) {}
 
   void operator()(const PairOfFaces& pair) {
     pair_ = pair;
-    points_.clear();
-    edges_on_line_.clear();
+    scratch_.items.clear();
+    scratch_.edges_on_line.clear();
     gather(0);
     gather(1);
-    if (points_.size() < 2) return;
-    merge_places();
-    if (points_.size() < 2) return;
+    if (scratch_.items.empty()) return;
     const PlaneId a = w_.patch[0].plane(pair.face[0]), b = w_.patch[1].plane(pair.face[1]);
-    const int axis = kernel_.cross_axis(a, b);
-    const Sign along = kernel_.cross(a, b, axis);
-    std::sort(points_.begin(), points_.end(), [&](const Point& p, const Point& q) {
-      return kernel_.compare(w_.point(p.place), w_.point(q.place), axis) == along;
-    });
-    for (const EdgeOnLine& e : edges_on_line_) add_within(e, axis, along);
+    line_ = kernel_.main_cross(a, b);
+    if (!find_points()) return;
+    if (add_items_within()) find_points();
     // n(a) × n(b), as seen in the plane of each.
     direction_[0] = {b, Sign::positive};
     direction_[1] = {a, Sign::negative};
-    for (std::size_t i = 0; i + 1 < points_.size(); ++i) between(points_[i], points_[i + 1]);
+    const auto& points = scratch_.points;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) between(points[i], points[i + 1]);
   }
 
  private:
-  struct Point {
-    std::uint32_t place;
-    std::vector<BoundaryItem> items[2];
-  };
-  struct EdgeOnLine {
-    int solid;
-    HalfEdgeId h;
-  };
+  using Item = Scratch::Item;
+  using Point = Scratch::Point;
+  using EdgeOnLine = Scratch::EdgeOnLine;
 
   void gather(int s) {
-    sided_.clear();
-    sided_half_edges(w_, s, pair_.face[s], pair_.face[1 - s], sided_);
+    scratch_.sided.clear();
+    sided_half_edges(w_, s, pair_.face[s], pair_.face[1 - s], scratch_.sided);
     const Brep& brep = w_.patch[s].brep;
-    for (const SidedHalfEdge& i : sided_) {
-      if (i.from == Sign::zero && i.to == Sign::zero) edges_on_line_.push_back({s, i.h});
+    for (const SidedHalfEdge& i : scratch_.sided) {
+      if (i.from == Sign::zero && i.to == Sign::zero) scratch_.edges_on_line.push_back({s, i.h});
       if (i.from == Sign::zero)
         add(s, table_.find(s, brep.from(i.h), pair_.face[1 - s]), i.h);
       else if (i.from * i.to == Sign::negative)
@@ -120,52 +136,53 @@ class CrossingFaces {
     }
   }
 
-  // A face that touches itself may have places within an edge; the edge bounds it there too.
-  void add_within(const EdgeOnLine& e, int axis, Sign along) {
-    const Brep& brep = w_.patch[e.solid].brep;
-    PointId from = brep.point_of(brep.from(e.h)), to = brep.point_of(brep.to(e.h));
-    if (kernel_.compare(from, to, axis) != along) std::swap(from, to);
-    const auto precedes = [&](PointId p, PointId q) {
-      return kernel_.compare(p, q, axis) == along;
-    };
-    auto p = std::partition_point(points_.begin(), points_.end(), [&](const Point& i) {
-      return !precedes(from, w_.point(i.place));
-    });
-    for (; p != points_.end() && precedes(w_.point(p->place), to); ++p) {
-      auto& items = p->items[e.solid];
-      items.push_back({Brep::edge_of(e.h), e.h});
-      std::sort(items.begin(), items.end());
-    }
-  }
-
   void add(int s, std::span<const Hit> hits, HalfEdgeId h) {
     if (hits.empty()) return;
-    Point point;
-    point.place = w_.contacts[hits[0].contact].place;
-    point.items[s].push_back({hits[0].piercer, h});
+    const std::uint32_t place = w_.contacts[hits[0].contact].place;
+    scratch_.items.push_back({place, s, {hits[0].piercer, h}});
+    scratch_.bounds.clear();
     for (const Hit& hit : hits)
-      add_items(w_.patch[1 - s], pair_.face[1 - s], hit.found, point.items[1 - s]);
-    points_.push_back(std::move(point));
+      add_items(w_.patch[1 - s], pair_.face[1 - s], hit.found, scratch_.bounds);
+    for (const BoundaryItem& item : scratch_.bounds) scratch_.items.push_back({place, 1 - s, item});
   }
 
-  void merge_places() {
-    std::sort(points_.begin(), points_.end(),
-              [](const Point& p, const Point& q) { return p.place < q.place; });
-    std::size_t kept = 0;
-    for (std::size_t i = 1; i < points_.size(); ++i) {
-      if (points_[i].place != points_[kept].place) {
-        if (++kept != i) points_[kept] = std::move(points_[i]);
-        continue;
-      }
-      for (int s = 0; s < 2; ++s) append(points_[kept].items[s], points_[i].items[s]);
+  bool precedes(PointId p, PointId q) const {
+    return kernel_.compare(p, q, line_.axis) == line_.sign;
+  }
+
+  // Groups the items by place, and puts the places in the order of the line; false for one place.
+  bool find_points() {
+    auto& [sided, items, points, edges_on_line, bounds] = scratch_;
+    std::sort(items.begin(), items.end());
+    items.erase(std::unique(items.begin(), items.end()), items.end());
+    points.clear();
+    for (auto from = items.begin(), to = from; from != items.end(); from = to) {
+      while (to != items.end() && to->place == from->place) ++to;
+      const auto second = std::find_if(from, to, [](const Item& i) { return i.solid == 1; });
+      points.push_back({from->place, {{from, second}, {second, to}}});
     }
-    points_.resize(kept + 1);
-    for (Point& p : points_) {
-      for (auto& items : p.items) {
-        std::sort(items.begin(), items.end());
-        items.erase(std::unique(items.begin(), items.end()), items.end());
-      }
+    std::sort(points.begin(), points.end(), [&](const Point& p, const Point& q) {
+      return precedes(w_.point(p.place), w_.point(q.place));
+    });
+    return points.size() > 1;
+  }
+
+  // A face that touches itself may have places within an edge; the edge bounds it there too.
+  bool add_items_within() {
+    const std::size_t known = scratch_.items.size();
+    std::vector<Item> within;
+    for (const EdgeOnLine& e : scratch_.edges_on_line) {
+      const Brep& brep = w_.patch[e.solid].brep;
+      PointId from = brep.point_of(brep.from(e.h)), to = brep.point_of(brep.to(e.h));
+      if (!precedes(from, to)) std::swap(from, to);
+      auto p =
+          std::partition_point(scratch_.points.begin(), scratch_.points.end(),
+                               [&](const Point& i) { return !precedes(from, w_.point(i.place)); });
+      for (; p != scratch_.points.end() && precedes(w_.point(p->place), to); ++p)
+        within.push_back({p->place, e.solid, {Brep::edge_of(e.h), e.h}});
     }
+    append(scratch_.items, within);
+    return scratch_.items.size() > known;
   }
 
   void between(const Point& p, const Point& q) {
@@ -188,18 +205,19 @@ class CrossingFaces {
     emit(out_, record);
   }
 
-  Standing stands(int s, const Point& p, const Direction& direction) const {
-    return standing(kernel_, w_.patch[s], pair_.face[s], p.items[s], direction);
+  Standing stands(int s, const Point& p, const Direction& direction) {
+    scratch_.bounds.clear();
+    for (const Item& item : p.items[s]) scratch_.bounds.push_back(item.of);
+    return standing(kernel_, w_.patch[s], pair_.face[s], scratch_.bounds, direction);
   }
 
   const Workspace& w_;
   const Kernel& kernel_;
   const ContactTable& table_;
+  Scratch& scratch_;
   std::vector<SegmentRecord>& out_;
   PairOfFaces pair_{};
-  std::vector<SidedHalfEdge> sided_;
-  std::vector<Point> points_;
-  std::vector<EdgeOnLine> edges_on_line_;
+  Kernel::AxisSign line_{};
   Direction direction_[2];
 };
 
@@ -253,9 +271,8 @@ class EdgeInPlane {
     const Brep& brep = w_.patch[s_].brep;
     const auto [a, b] = line_planes(w_.patch[s_], h);
     const PlaneId across = kernel_.parallel(plane, a) ? b : a;
-    const int axis = kernel_.cross_axis(plane, across);
-    const Sign sign = kernel_.compare(brep.point_of(brep.from(h)), brep.point_of(brep.to(h)), axis);
-    return {across, sign * kernel_.cross(plane, across, axis)};
+    return direction_between(kernel_, plane, across, brep.point_of(brep.from(h)),
+                             brep.point_of(brep.to(h)));
   }
 
   void find_nodes(const InPlane& pair, HalfEdgeId h) {
@@ -316,11 +333,15 @@ class EdgeInPlane {
 
 void find_segments(Workspace& w, const ContactTable& table) {
   using Records = std::vector<SegmentRecord>;
-  for (const Records& r :
-       collect<Records>(table.pairs.size(), 128, [&](std::size_t i, Records&out) {
-         if (!table.pairs[i].coplanar) CrossingFaces(w, table, out)(table.pairs[i]);
+  struct Output {
+    Records records;
+    CrossingFaces::Scratch scratch;
+  };
+  for (const Output& o : collect<Output>(table.pairs.size(), 128, [&](std::size_t i, Output&out) {
+         if (table.pairs[i].coplanar) return;
+         CrossingFaces(w, table, out.scratch, out.records)(table.pairs[i]);
        }))
-    append(w.records, r);
+    append(w.records, o.records);
   for (int s = 0; s < 2; ++s) {
     const EdgeNodes nodes(w, s);
     for (const Records& r :

@@ -68,9 +68,8 @@ class TouchedFaces {
   Direction direction(const SegmentRecord& record, PlaneId plane) const {
     const auto [a, b] = line_planes(patch(), Brep::half_edge(record.on[s_].edge()));
     const PlaneId across = kernel_.parallel(plane, a) ? b : a;
-    const int axis = kernel_.cross_axis(plane, across);
-    const Sign sign = kernel_.compare(w_.point(record.place[0]), w_.point(record.place[1]), axis);
-    return {across, sign * kernel_.cross(plane, across, axis)};
+    return direction_between(kernel_, plane, across, w_.point(record.place[0]),
+                             w_.point(record.place[1]));
   }
 
   // What the face's boundary has at a place; false if the place is outside of the face.

@@ -1,0 +1,137 @@
+#include "geometry/plane_value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "geometry/axes.h"
+#include "geometry/formulas.h"
+#include "numbers/dyadic.h"
+
+namespace sectile {
+namespace {
+
+// Half an ulp, the smallest positive double, and bounds for counted roundings (rounded up amply).
+constexpr double unit = 0x1p-53;
+constexpr double smallest = std::numeric_limits<double>::denorm_min();
+
+// Exact if all coordinates are multiples of one unit and below 2^16 of it: then differences have 17
+// bits, normals 35, and offsets 53.
+class BitRange {
+ public:
+  void add(double value) {
+    if (value == 0) return;
+    int exponent;
+    const double mantissa = std::frexp(value, &exponent);
+    const auto bits = static_cast<std::uint64_t>(std::abs(mantissa) * 0x1p53);
+    high_ = std::max(high_, exponent);
+    low_ = std::min(low_, exponent - 53 + __builtin_ctzll(bits));
+  }
+  void add(const Vec3& p) {
+    add(p.x);
+    add(p.y);
+    add(p.z);
+  }
+  bool small() const { return high_ < low_ || (high_ - low_ <= 16 && low_ > -60 && high_ < 60); }
+
+ private:
+  int low_ = std::numeric_limits<int>::max(), high_ = std::numeric_limits<int>::min();
+};
+
+// Planes parallel to a coordinate plane have the shortest coefficients: ±1 and ∓the coordinate.
+bool axis_parallel(const Vec3& a, const Vec3& b, const Vec3& c, PlaneValue& value) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double at = component(a, axis);
+    if (component(b, axis) != at || component(c, axis) != at) continue;
+    if (at != 0 && (std::abs(at) < 0x1p-200 || std::abs(at) > 0x1p200)) return false;
+    const int i = next_axis(axis), j = next_next_axis(axis);
+    const double left = (component(b, i) - component(a, i)) * (component(c, j) - component(a, j));
+    const double right = (component(b, j) - component(a, j)) * (component(c, i) - component(a, i));
+    const double error = 8 * unit * (std::abs(left) + std::abs(right)) + 4 * smallest;
+    const Sign sign = std::abs(left - right) > error ? sign_of(left - right)
+                                                     : turn_of<Dyadic>(a, b, c, axis).sign();
+    if (sign == Sign::zero) return false;
+    value = {{0, 0, 0}, sign == Sign::positive ? -at : at, 0, 0, true};
+    value.n[axis] = sign == Sign::positive ? 1 : -1;
+    return true;
+  }
+  return false;
+}
+
+PlaneValue with_offset(PlaneValue value, const Vec3& a) {
+  const double x = value.n[0] * a.x, y = value.n[1] * a.y, z = value.n[2] * a.z;
+  value.d = -(x + y + z);
+  value.d_error = value.n_error * (std::abs(a.x) + std::abs(a.y) + std::abs(a.z)) * (1 + 8 * unit) +
+                  8 * unit * (std::abs(x) + std::abs(y) + std::abs(z)) + 8 * smallest;
+  return value;
+}
+
+PlaneValue through_points(const Vec3& a, const Vec3& b, const Vec3& c) {
+  PlaneValue value{};
+  if (axis_parallel(a, b, c, value)) return value;
+  const double u[3] = {b.x - a.x, b.y - a.y, b.z - a.z};
+  const double v[3] = {c.x - a.x, c.y - a.y, c.z - a.z};
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const int i = next_axis(k), j = next_next_axis(k);
+    const double left = u[i] * v[j], right = u[j] * v[i];
+    value.n[k] = left - right;
+    sum = std::max(sum, std::abs(left) + std::abs(right));
+  }
+  value.n_error = 8 * unit * sum + 4 * smallest;
+  value = with_offset(value, a);
+  BitRange bits;
+  bits.add(a);
+  bits.add(b);
+  bits.add(c);
+  if (bits.small()) {
+    value.n_error = value.d_error = 0;
+    value.exact = true;
+  }
+  return value;
+}
+
+PlaneValue along_axis(const Vec3& a, const Vec3& b, int axis) {
+  const double u[3] = {b.x - a.x, b.y - a.y, b.z - a.z};
+  PlaneValue value{};
+  const int i = next_axis(axis), j = next_next_axis(axis);
+  // u × e_axis
+  value.n[i] = u[j];
+  value.n[j] = -u[i];
+  value.n_error = 2 * unit * (std::abs(u[i]) + std::abs(u[j])) + smallest;
+  value = with_offset(value, a);
+  BitRange bits;
+  bits.add(a);
+  bits.add(b);
+  if (bits.small()) {
+    value.n_error = value.d_error = 0;
+    value.exact = true;
+  }
+  return value;
+}
+
+}  // namespace
+
+PlaneValue plane_value(const Geometry& g, PlaneId plane) {
+  using Kind = PlaneDefinition::Kind;
+  const PlaneDefinition& s = g.definition(plane);
+  switch (s.kind()) {
+    case Kind::three_points:
+      return through_points(g.positions[s.a], g.positions[s.b], g.positions[s.c]);
+    case Kind::along_x:
+    case Kind::along_y:
+    case Kind::along_z:
+      return along_axis(g.positions[s.a], g.positions[s.b], axis_of(s.kind()));
+    case Kind::coefficients:
+      break;
+  }
+  const PlaneCoefficients& k = g.coefficients[s.a];
+  const double largest = std::max({std::abs(k.a), std::abs(k.b), std::abs(k.c), std::abs(k.d)});
+  double least = largest;
+  for (const double value : {k.a, k.b, k.c, k.d})
+    if (value != 0) least = std::min(least, std::abs(value));
+  return {{k.a, k.b, k.c}, k.d, 0, 0, largest < 0x1p200 && least > 0x1p-200};
+}
+
+}  // namespace sectile
