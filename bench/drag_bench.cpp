@@ -2,6 +2,7 @@
 // from the changed scene to the surfaces to draw, and what its parts cost.
 #include <benchmark/benchmark.h>
 
+#include "ball.h"
 #include "evaluation/evaluator.h"
 #include "evaluation/scene_computation.h"
 #include "picture/surface_mesh.h"
@@ -10,17 +11,7 @@ namespace {
 
 using namespace sectile;
 using namespace sectile::viewer;
-
-Node ball(std::uint32_t segments, std::uint32_t rings, double radius) {
-  Primitive p;
-  p.shape = Primitive::Shape::sphere;
-  p.radius = radius;
-  p.segments = segments;
-  p.rings = rings;
-  Node node;
-  node.what = p;
-  return node;
-}
+using bench::ball;
 
 struct Drag {
   Scene scene;
@@ -28,8 +19,8 @@ struct Drag {
   int step = 0;
 
   explicit Drag(Operation operation) {
-    const NodeId a = scene.add(ball(320, 157, 2));  // 99,840 triangles
-    dragged = scene.add(ball(32, 17, 0.6));         // 1,024
+    const NodeId a = scene.add(ball("A", 320, 157, 2));  // 99,840 triangles
+    dragged = scene.add(ball("B", 32, 17, 0.6));         // 1,024
     scene.combine({a, dragged}, operation);
   }
   void move() {

@@ -15,24 +15,14 @@
 #include "app/app.h"
 #include "app/session.h"
 #include "app/widgets.h"
+#include "ball.h"
 #include "scene/scene_file.h"
 
 namespace {
 
 using namespace sectile;
 using namespace sectile::viewer;
-
-Node ball(const char* name, std::uint32_t segments, std::uint32_t rings, double radius) {
-  Primitive p;
-  p.shape = Primitive::Shape::sphere;
-  p.radius = radius;
-  p.segments = segments;
-  p.rings = rings;
-  Node node;
-  node.name = name;
-  node.what = p;
-  return node;
-}
+using bench::ball;
 
 struct BenchScene {
   Scene scene;

@@ -8,16 +8,15 @@ namespace sectile::samples {
 
 Sample pair_sample(const char* name, const char* title, const char* figure, Operation operation,
                    const PolygonMesh& a, const PolygonMesh& b) {
-  Sample sample;
-  sample.name = name;
-  sample.title = title;
-  sample.figure = figure;
-  sample.a_mesh = a;
-  sample.b_mesh = b;
-  sample.a = Solid::from_mesh(a);
-  sample.b = Solid::from_mesh(b);
-  sample.operation = operation;
-  return sample;
+  return {.name = name,
+          .title = title,
+          .figure = figure,
+          .a_mesh = a,
+          .b_mesh = b,
+          .a = Solid::from_mesh(a),
+          .b = Solid::from_mesh(b),
+          .operation = operation,
+          .plane = {}};
 }
 
 std::vector<Sample> all() {

@@ -9,6 +9,7 @@
 #include "fault.h"
 #include "operations.h"
 #include "sectile/sectile.h"
+#include "volumes.h"
 
 namespace sectile::test {
 namespace {
@@ -27,17 +28,6 @@ Solid moved(const Solid& solid, const Vec3& by) {
 }
 Solid cube(double low, double high) {
   return block({low, low, low}, {high, high, high});
-}
-
-void expect_volumes(const Solid& a, const Solid& b, double common) {
-  const double va = a.volume(), vb = b.volume();
-  const Solid any = unite(a, b), both = meet(a, b), rest = minus(a, b), other = minus(b, a);
-  for (const Solid* s : {&any, &both, &rest, &other}) EXPECT_TRUE(validate(*s).empty());
-  EXPECT_EQ(any.volume(), va + vb - common);
-  EXPECT_EQ(both.volume(), common);
-  EXPECT_EQ(both.is_empty(), common == 0);
-  EXPECT_EQ(rest.volume(), va - common);
-  EXPECT_EQ(other.volume(), vb - common);
 }
 
 Mask random_set(std::mt19937_64& random, const Complex& complex) {

@@ -2,18 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "sectile/sectile.h"
+#include "volumes.h"
 
 namespace sectile {
 namespace {
 
-void expect_volumes(const Solid& a, const Solid& b, double common) {
-  const Solid any = boolean(a, b, Operation::unite), both = boolean(a, b, Operation::intersect),
-              rest = boolean(a, b, Operation::subtract);
-  for (const Solid* s : {&any, &both, &rest}) EXPECT_TRUE(validate(*s).empty());
-  EXPECT_EQ(any.volume(), a.volume() + b.volume() - common);
-  EXPECT_EQ(both.volume(), common);
-  EXPECT_EQ(rest.volume(), a.volume() - common);
-}
+using test::expect_volumes;
 
 // In all four right-angled positions about the z axis, as the order of the work
 // depends on them.
@@ -21,7 +15,6 @@ void expect_volumes_turned(const Solid& a, const Solid& b, double common) {
   for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
     const Transform turn = Transform::rotation_degrees({0, 0, 1}, degrees);
     expect_volumes(transformed(a, turn), transformed(b, turn), common);
-    expect_volumes(transformed(b, turn), transformed(a, turn), common);
   }
 }
 

@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "sectile/sectile.h"
+#include "volumes.h"
 
 namespace sectile {
 namespace {
+
+using test::expect_volumes;
 
 Solid tetrahedron(const std::array<Vec3, 4>& p) {
   PolygonMesh mesh;
@@ -12,16 +15,6 @@ Solid tetrahedron(const std::array<Vec3, 4>& p) {
   mesh.face_sizes = {3, 3, 3, 3};
   mesh.indices = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
   return Solid::from_mesh(mesh);
-}
-
-void expect_volumes(const Solid& a, const Solid& b, double common) {
-  const Solid unite = boolean(a, b, Operation::unite), both = boolean(a, b, Operation::intersect),
-              left = boolean(a, b, Operation::subtract), right = boolean(b, a, Operation::subtract);
-  for (const Solid& s : {unite, both, left, right}) EXPECT_TRUE(validate(s).empty());
-  EXPECT_EQ(both.volume(), common);
-  EXPECT_EQ(unite.volume(), a.volume() + b.volume() - common);
-  EXPECT_EQ(left.volume(), a.volume() - common);
-  EXPECT_EQ(right.volume(), b.volume() - common);
 }
 
 TEST(ContactsInPoints, ATetrahedronThatTouchesABlockFromWithinInAllItsVertices) {

@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "sectile/sectile.h"
+#include "volumes.h"
 
 namespace sectile {
 namespace {
+
+using test::expect_volumes;
 
 // A triangular prism along x or y that touches the plane z = 0 with an edge through the origin,
 // from above or below. Volume 4: cross-section 2 × 1 / 2, 4 long.
@@ -19,23 +22,6 @@ Solid ridge(double degrees, bool above) {
 
 Solid crossed_ridges() {
   return boolean(ridge(0, true), ridge(90, false), Operation::unite);
-}
-
-void expect_volumes(const Solid& a, const Solid& b, double common) {
-  const double volume_a = a.volume(), volume_b = b.volume();
-  const struct {
-    Solid result;
-    double volume;
-  } cases[] = {{boolean(a, b, Operation::unite), volume_a + volume_b - common},
-               {boolean(b, a, Operation::unite), volume_a + volume_b - common},
-               {boolean(a, b, Operation::intersect), common},
-               {boolean(b, a, Operation::intersect), common},
-               {boolean(a, b, Operation::subtract), volume_a - common},
-               {boolean(b, a, Operation::subtract), volume_b - common}};
-  for (const auto& c : cases) {
-    EXPECT_EQ(c.result.volume(), c.volume);
-    EXPECT_TRUE(validate(c.result).empty());
-  }
 }
 
 // The union of the ridges has a vertex at the crossing; joined as a soup they have none.

@@ -3,30 +3,17 @@
 #include <gtest/gtest.h>
 
 #include "sectile/sectile.h"
+#include "volumes.h"
 
 namespace sectile {
 namespace {
+
+using test::expect_volumes;
 
 Solid block_with_slit() {
   const Solid bar = transformed(prism(1, 4, 4), Transform::translation({4, 6, 7}) *
                                                     Transform::rotation_degrees({1, 0, 0}, 90));
   return boolean(block({0, 0, 0}, {8, 8, 8}), bar, Operation::subtract);
-}
-
-void expect_volumes(const Solid& a, const Solid& b, double common) {
-  const double volume_a = a.volume(), volume_b = b.volume();
-  const struct {
-    Solid result;
-    double volume;
-  } cases[] = {{boolean(a, b, Operation::unite), volume_a + volume_b - common},
-               {boolean(b, a, Operation::unite), volume_a + volume_b - common},
-               {boolean(a, b, Operation::intersect), common},
-               {boolean(a, b, Operation::subtract), volume_a - common},
-               {boolean(b, a, Operation::subtract), volume_b - common}};
-  for (const auto& c : cases) {
-    EXPECT_NEAR(c.result.volume(), c.volume, 1e-12);
-    EXPECT_TRUE(validate(c.result).empty());
-  }
 }
 
 TEST(Slit, IsLegal) {
@@ -58,7 +45,8 @@ TEST(Slit, ItselfAndItsTurnedCopies) {
                             Transform::rotation_degrees({0, 0, 1}, 90) *
                             Transform::translation({-4, -4, -8});
   const Solid turned = transformed(a, about_centre);
-  expect_volumes(a, turned, boolean(a, turned, Operation::intersect).volume());
+  // They share 16 / 3, so that sums round.
+  expect_volumes(a, turned, boolean(a, turned, Operation::intersect).volume(), 1e-12);
   const Solid mirrored =
       transformed(a, Transform::translation({0, 0, 16}) * Transform::scaling({1, 1, -1}));
   expect_volumes(a, mirrored, 0);

@@ -38,13 +38,24 @@ void add_two_blocks(AppDriver& driver) {
   ASSERT_EQ(placement(driver, 1).position, (Vec3{3, 0, 0}));
 }
 
-TEST(AppDrag, EscapeTakesADragBack) {
+/// A new block, and a drag of one of its widgets that has not ended.
+struct HeldBlock {
+  HeldBlock(const std::string& widget, const glm::dvec2& by) {
+    driver.add("block");
+    before = driver.scene();
+    from = driver.middle(widget);
+    driver.hold(from, from + by);
+    EXPECT_NE(driver.scene(), before) << "the drag shows";
+  }
+
   AppDriver driver;
-  driver.add("block");
-  const Scene before = driver.scene();
-  const glm::dvec2 from = driver.middle("handle.x");
-  driver.hold(from, from + glm::dvec2(60, 20));
-  EXPECT_NE(driver.scene(), before) << "the drag shows";
+  Scene before;
+  glm::dvec2 from{0};
+};
+
+TEST(AppDrag, EscapeTakesADragBack) {
+  HeldBlock block("handle.x", {60, 20});
+  auto& [driver, before, from] = block;
   EXPECT_NE(driver.session().dragging, "");
   driver.key(Key::escape);
   EXPECT_EQ(driver.scene(), before);
@@ -58,12 +69,8 @@ TEST(AppDrag, EscapeTakesADragBack) {
 }
 
 TEST(AppDrag, EscapeTakesADragOfAFieldBack) {
-  AppDriver driver;
-  driver.add("block");
-  const Scene before = driver.scene();
-  const glm::dvec2 field = driver.middle("properties.position.x");
-  driver.hold(field, field + glm::dvec2(50, 0));
-  EXPECT_NE(driver.scene(), before);
+  HeldBlock block("properties.position.x", {50, 0});
+  auto& [driver, before, field] = block;
   driver.key(Key::escape);
   EXPECT_EQ(driver.scene(), before);
   driver.move(field + glm::dvec2(70, 0));

@@ -1,5 +1,7 @@
 #include "viewer/app_driver.h"
 
+#include <stdexcept>
+
 namespace sectile::viewer {
 namespace {
 
@@ -146,6 +148,15 @@ void AppDriver::drop(const std::filesystem::path& file) {
 void AppDriver::add(const std::string& shape) {
   press("tool.add");
   press("menu:add." + shape);
+}
+
+const Story& AppDriver::open_steps(const std::string& sample) {
+  app_->open_sample(sample);
+  settle();
+  key(Key::tab);
+  const Story* story = session().player.story();
+  if (!story) throw std::runtime_error("The steps of " + sample + " were not computed.");
+  return *story;
 }
 
 std::string AppDriver::faults() const {

@@ -47,6 +47,9 @@ class AppDriver {
   void enter(const std::string& field, const std::string& text, Key end = Key::enter);
   void drop(const std::filesystem::path& file);
   void add(const std::string& shape);  ///< by the tool bar
+  /// Opens a sample and changes to the steps of its operation. Throws std::runtime_error if they
+  /// are not there at once, so only where every frame waits for results.
+  const Story& open_steps(const std::string& sample);
 
   /// Widgets that are cut off or lie on each other, in words; empty if all is well.
   std::string faults() const;

@@ -31,6 +31,12 @@ void add_two_blocks(AppDriver& driver) {
   driver.key(Key::enter);
 }
 
+void combine_two_blocks(AppDriver& driver, char key) {
+  add_two_blocks(driver);
+  driver.key('A', true);
+  driver.key(key);
+}
+
 TEST(App, AddsEveryPrimitive) {
   for (const Primitive::Shape shape : all_shapes) {
     AppDriver driver(1024, 700);
@@ -107,11 +113,7 @@ TEST(App, SplitsAlongTheSectionPlane) {
 
 TEST(App, StepsToTheSpecialCaseNamed) {
   AppDriver driver;
-  driver.app().open_sample("fig01");
-  driver.settle();
-  driver.key(Key::tab);
-  ASSERT_NE(driver.session().player.story(), nullptr);
-  const Story& story = *driver.session().player.story();
+  const Story& story = driver.open_steps("fig01");
   driver.press("steps.next_special");
   ASSERT_NE(driver.session().player.current(), nullptr);
   EXPECT_TRUE(driver.session().player.current()->special);
@@ -126,9 +128,7 @@ TEST(App, StepsToTheSpecialCaseNamed) {
 
 TEST(App, UndoesAndRedoesEverything) {
   AppDriver driver;
-  add_two_blocks(driver);
-  driver.key('A', true);
-  driver.key('U');
+  combine_two_blocks(driver, 'U');
   driver.key('D', true);
   driver.key('H');
   driver.key(Key::del);
@@ -143,9 +143,7 @@ TEST(App, UndoesAndRedoesEverything) {
 
 TEST(App, SavesAndOpensAgain) {
   AppDriver driver;
-  add_two_blocks(driver);
-  driver.key('A', true);
-  driver.key('I');
+  combine_two_blocks(driver, 'I');
   const std::filesystem::path path = file("scene.sectile");
   std::filesystem::remove(path);
   driver.key('S', true);
@@ -176,9 +174,7 @@ TEST(App, ExportsTheResult) {
   const std::filesystem::path path = file("result.obj");
   std::filesystem::remove(path);
   AppDriver driver;
-  add_two_blocks(driver);
-  driver.key('A', true);
-  driver.key('U');
+  combine_two_blocks(driver, 'U');
   driver.key('E', true);
   driver.press("browser.name");
   driver.key('A', true);

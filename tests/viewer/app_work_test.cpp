@@ -25,11 +25,7 @@ fs::path empty_folder() {
 
 TEST(AppWork, StopsWhereAVertexTakesPart) {
   AppDriver driver;
-  driver.app().open_sample("fig01");
-  driver.settle();
-  driver.key(Key::tab);
-  ASSERT_NE(driver.session().player.story(), nullptr);
-  const Story& story = *driver.session().player.story();
+  const Story& story = driver.open_steps("fig01");
   // A vertex that the first steps do not concern.
   std::string vertex;
   std::size_t wanted = 0;

@@ -8,8 +8,8 @@
 namespace sectile::viewer {
 namespace {
 
-std::string key_name(int key) {
-  switch (static_cast<Key>(key)) {
+std::string key_name(Key key) {
+  switch (key) {
     case Key::space:
       return "Space";
     case Key::escape:
@@ -54,7 +54,7 @@ const Command& Commands::get(std::string_view name) const {
 bool Commands::press(Session& session, const Event& key_down) const {
   for (const Command& command : commands_)
     for (const Shortcut& shortcut : command.keys)
-      if (shortcut.key == static_cast<int>(key_down.key) && shortcut.control == key_down.control &&
+      if (shortcut.key == key_down.key && shortcut.control == key_down.control &&
           shortcut.shift == key_down.shift && !key_down.alt && is_enabled(command, session)) {
         run(session, command);
         return true;

@@ -12,8 +12,14 @@
 namespace sectile::viewer {
 
 struct Shortcut {
-  int key = 0;  ///< as in Key; 0: none
-  bool control = false, shift = false;
+  constexpr Shortcut(Key of, bool with_control = false, bool with_shift = false)
+      : key(of), control(with_control), shift(with_shift) {}
+  /// A printable key by its upper-case character.
+  constexpr Shortcut(char of, bool with_control = false, bool with_shift = false)
+      : Shortcut(static_cast<Key>(of), with_control, with_shift) {}
+
+  Key key;
+  bool control, shift;
 };
 
 struct Command {
@@ -23,8 +29,8 @@ struct Command {
   std::string icon;   ///< UTF-8
   std::vector<Shortcut> keys;
   std::function<void(Session&)> run;
-  std::function<bool(const Session&)> can_run;  ///< empty: always
-  std::function<bool(const Session&)> is_on;    ///< empty: not a switch
+  std::function<bool(const Session&)> can_run = {};  ///< empty: always
+  std::function<bool(const Session&)> is_on = {};    ///< empty: not a switch
 };
 
 class Commands {

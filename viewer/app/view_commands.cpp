@@ -1,5 +1,6 @@
 // The commands that change only what is seen.
 #include <numbers>
+#include <utility>
 
 #include "app/command_lists.h"
 #include "app/icons.h"
@@ -15,19 +16,19 @@ Command look_from(const char* name, const char* title, char key, double azimuth,
           std::string("Looks from the ") + title + ".",
           "",
           {{key}},
-          [=](Session& s) { s.camera.azimuth = azimuth, s.camera.elevation = elevation; },
-          {},
-          {}};
+          [=](Session& s) { s.camera.azimuth = azimuth, s.camera.elevation = elevation; }};
 }
 
-Command view_switch(const char* name, const char* title, const char* help, int key,
-                    bool ViewSettings::*setting) {
-  std::vector<Shortcut> keys;
-  if (key != 0) keys.push_back({key});
-  return {name, title,
-          help, "",
-          keys, [=](Session& s) { s.view.*setting = !(s.view.*setting); },
-          {},   [=](const Session& s) { return s.view.*setting; }};
+Command view_switch(const char* name, const char* title, const char* help,
+                    std::vector<Shortcut> keys, bool ViewSettings::*setting) {
+  return {name,
+          title,
+          help,
+          "",
+          std::move(keys),
+          [=](Session& s) { s.view.*setting = !(s.view.*setting); },
+          {},
+          [=](const Session& s) { return s.view.*setting; }};
 }
 
 }  // namespace
@@ -39,17 +40,13 @@ std::vector<Command> view_commands() {
        "Brings the selected solids, or all, into the picture.",
        icons::expand,
        {{'F'}},
-       [](Session& s) { s.look_at_selection(); },
-       {},
-       {}},
+       [](Session& s) { s.look_at_selection(); }},
       {"view.all",
        "Show all",
        "Brings everything into the picture.",
        icons::home,
-       {{static_cast<int>(Key::home)}},
-       [](Session& s) { s.look_at_all(); },
-       {},
-       {}},
+       {{Key::home}},
+       [](Session& s) { s.look_at_all(); }},
       look_from("view.front", "front", '1', -pi / 2, 0),
       look_from("view.right", "right", '3', 0, 0),
       look_from("view.top", "top", '7', -pi / 2, pi / 2),
@@ -61,18 +58,18 @@ std::vector<Command> view_commands() {
        [](Session& s) { s.camera.orthographic = !s.camera.orthographic; },
        {},
        [](const Session& s) { return s.camera.orthographic; }},
-      view_switch("view.wireframe", "Wireframe", "Draws edges only.", 'W',
+      view_switch("view.wireframe", "Wireframe", "Draws edges only.", {'W'},
                   &ViewSettings::wireframe),
-      view_switch("view.labels", "Labels", "Names vertices in the picture.", 'T',
+      view_switch("view.labels", "Labels", "Names vertices in the picture.", {'T'},
                   &ViewSettings::labels),
       view_switch("view.eight_way", "Eight-way colours",
-                  "Colours the parts that lie on the other solid too.", 'E',
+                  "Colours the parts that lie on the other solid too.", {'E'},
                   &ViewSettings::eight_way),
-      view_switch("view.section", "Section plane", "Cuts the picture open along a plane.", 'X',
+      view_switch("view.section", "Section plane", "Cuts the picture open along a plane.", {'X'},
                   &ViewSettings::section),
-      view_switch("view.grid", "Grid", "Shows the ground grid.", 0, &ViewSettings::grid),
-      view_switch("view.axes", "Axes", "Shows the axes.", 0, &ViewSettings::axes),
-      view_switch("view.dark", "Dark theme", "Light on dark.", 0, &ViewSettings::dark),
+      view_switch("view.grid", "Grid", "Shows the ground grid.", {}, &ViewSettings::grid),
+      view_switch("view.axes", "Axes", "Shows the axes.", {}, &ViewSettings::axes),
+      view_switch("view.dark", "Dark theme", "Light on dark.", {}, &ViewSettings::dark),
       {"view.panel",
        "View",
        "Section plane, exploded view, labels, colours and theme.",

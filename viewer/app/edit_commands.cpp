@@ -1,0 +1,142 @@
+// The commands that change the scene.
+#include "app/command_lists.h"
+#include "app/icons.h"
+#include "app/words.h"
+
+namespace sectile::viewer {
+namespace {
+
+bool has_selection(const Session& s) {
+  return !s.selection().empty();
+}
+bool has_solids(const Session& s) {
+  return s.scene().size() > 0;
+}
+
+bool can_combine(const Session& s) {
+  return s.topmost_selected().size() >= 2 || s.scene().roots().size() == 2;
+}
+
+}  // namespace
+
+std::vector<Command> edit_commands() {
+  return {
+      {"edit.undo",
+       "Undo",
+       "Takes back the last change.",
+       icons::undo,
+       {{'Z', true}},
+       [](Session& s) { s.undo(); },
+       [](const Session& s) { return s.document.can_undo(); }},
+      {"edit.redo",
+       "Redo",
+       "Makes the change again that was taken back.",
+       icons::redo,
+       {{'Z', true, true}, {'Y', true}},
+       [](Session& s) { s.redo(); },
+       [](const Session& s) { return s.document.can_redo(); }},
+      {"edit.duplicate",
+       "Duplicate",
+       "Makes a copy beside the selected solids.",
+       "",
+       {{'D', true}},
+       [](Session& s) { s.duplicate_selected(); },
+       has_selection},
+      {"edit.delete",
+       "Delete",
+       "Takes the selected solids away.",
+       "",
+       {{Key::del}, {Key::backspace}},
+       [](Session& s) { s.remove_selected(); },
+       has_selection},
+      {"edit.group",
+       "Group",
+       "Puts the selected solids together so that they move as one.",
+       "",
+       {{'G', true}},
+       [](Session& s) { s.group_selected(); },
+       has_selection},
+      {"edit.ungroup",
+       "Ungroup",
+       "Takes the selected group apart.",
+       "",
+       {{'G', true, true}},
+       [](Session& s) { s.ungroup_selected(); },
+       has_selection},
+      {"edit.rename",
+       "Rename",
+       "Gives the selected solid another name.",
+       "",
+       {{Key::f2}},
+       [](Session& s) {
+         s.renaming = {s.selected(), false, {}};
+       },
+       has_selection},
+      {"edit.hide",
+       "Hide or show",
+       "Hides the selected solids, or shows them again.",
+       "",
+       {{'H'}},
+       [](Session& s) { s.hide_selected(); },
+       has_selection},
+      {"edit.select_all",
+       "Select all",
+       "Selects all solids.",
+       "",
+       {{'A', true}},
+       [](Session& s) { s.select(s.scene().roots()); },
+       has_solids},
+  };
+}
+
+std::vector<Command> add_commands() {
+  std::vector<Command> commands = {{"tool.add",
+                                    "Add",
+                                    "Adds a solid to the scene.",
+                                    icons::plus,
+                                    {{'A', false, true}},
+                                    [](Session& s) { s.adding = true; }}};
+  for (const Primitive::Shape shape : all_shapes)
+    commands.push_back({"add." + name_of(shape),
+                        capitalised(name_of(shape)),
+                        "Adds a " + name_of(shape) + ".",
+                        "",
+                        {},
+                        [shape](Session& s) { s.add(shape); }});
+  return commands;
+}
+
+std::vector<Command> operation_commands() {
+  return {
+      {"operation.unite",
+       "Unite",
+       "Joins the selected solids into one: A \u222A B.",
+       "\u222A",
+       {{'U'}},
+       [](Session& s) { s.combine(Operation::unite); },
+       can_combine},
+      {"operation.intersect",
+       "Intersect",
+       "Keeps what the selected solids share: A \u2229 B.",
+       "\u2229",
+       {{'I'}},
+       [](Session& s) { s.combine(Operation::intersect); },
+       can_combine},
+      {"operation.subtract",
+       "Subtract",
+       "Cuts the solids selected later out of the one selected first: A \\ B.",
+       "\\",
+       {{'D'}, {'-'}},
+       [](Session& s) { s.combine(Operation::subtract); },
+       can_combine},
+      {"operation.split",
+       "Split",
+       "Cuts the selected solid in two along the section plane.",
+       icons::scissors,
+       {{'P'}},
+       [](Session& s) { s.split(); },
+       [](const Session& s) { return s.topmost_selected().size() == 1; }},
+  };
+}
+
+}  // namespace sectile::viewer

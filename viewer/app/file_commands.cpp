@@ -1,0 +1,84 @@
+// The commands that read and write files.
+#include "app/command_lists.h"
+#include "app/icons.h"
+
+namespace sectile::viewer {
+namespace {
+
+bool has_solids(const Session& s) {
+  return s.scene().size() > 0;
+}
+
+void save_as(Session& s) {
+  const std::string name =
+      s.document.path().empty() ? "scene.sectile" : s.document.path().filename().string();
+  s.dialogs.browse(FileBrowser::Purpose::save, name,
+                   [&s](const std::filesystem::path& path) { s.save(path); });
+}
+
+void save(Session& s) {
+  if (s.document.path().empty()) return save_as(s);
+  s.save(s.document.path());
+}
+
+void open(Session& s) {
+  s.dialogs.browse(FileBrowser::Purpose::open, "",
+                   [&s](const std::filesystem::path& path) { s.open(path); });
+}
+
+void import(Session& s) {
+  s.dialogs.browse(FileBrowser::Purpose::import, "",
+                   [&s](const std::filesystem::path& path) { s.import(path); });
+}
+
+void export_solid(Session& s) {
+  s.dialogs.browse(FileBrowser::Purpose::export_solid, "result.obj",
+                   [&s](const std::filesystem::path& path) { s.export_solid(path); });
+}
+
+}  // namespace
+
+std::vector<Command> file_commands() {
+  return {
+      {"file.new",
+       "New",
+       "Starts an empty scene.",
+       icons::file,
+       {{'N', true}},
+       [](Session& s) { s.after_saving("New scene", [&s] { s.new_scene(); }); }},
+      {"file.open",
+       "Open\u2026",
+       "Opens a scene, or adds a mesh to this one.",
+       icons::folder_open,
+       {{'O', true}},
+       open},
+      {"file.save", "Save", "Saves the scene.", icons::save, {{'S', true}}, save},
+      {"file.save_as",
+       "Save as\u2026",
+       "Saves the scene under another name.",
+       "",
+       {{'S', true, true}},
+       save_as},
+      {"file.import",
+       "Import mesh\u2026",
+       "Adds the solid of an OBJ, STL, OFF or PLY file.",
+       icons::download,
+       {{'I', true}},
+       import},
+      {"file.export",
+       "Export result\u2026",
+       "Writes the selected solid as OBJ, STL, OFF or PLY.",
+       icons::upload,
+       {{'E', true}},
+       export_solid,
+       has_solids},
+      {"file.quit",
+       "Quit",
+       "Closes the program.",
+       "",
+       {{'Q', true}},
+       [](Session& s) { s.after_saving("Quit", [&s] { s.wants_to_close = true; }); }},
+  };
+}
+
+}  // namespace sectile::viewer

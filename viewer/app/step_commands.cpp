@@ -1,0 +1,116 @@
+// The commands that change to the steps of the algorithm and walk through them.
+#include "app/command_lists.h"
+#include "app/icons.h"
+
+namespace sectile::viewer {
+
+std::vector<Command> step_commands() {
+  const auto in_steps = [](const Session& s) {
+    return s.mode() == Mode::steps && s.player.story() != nullptr;
+  };
+  const auto change_phase = [](Session& s, int by) {
+    const int phase = static_cast<int>(s.player.phase()) + by;
+    if (phase >= 0 && phase <= static_cast<int>(Phase::cleanup))
+      s.player.go_to(static_cast<Phase>(phase), 0);
+  };
+  return {
+      {"mode.model",
+       "Model",
+       "Place solids and combine them.",
+       icons::cubes,
+       {},
+       [](Session& s) { s.set_mode(Mode::model); },
+       {},
+       [](const Session& s) { return s.mode() == Mode::model; }},
+      {"mode.steps",
+       "Steps",
+       "Watch how the result of an operation comes about.",
+       icons::list,
+       {},
+       [](Session& s) { s.set_mode(Mode::steps); },
+       {},
+       [](const Session& s) { return s.mode() == Mode::steps; }},
+      {"mode.toggle",
+       "Model or steps",
+       "Changes between placing solids and watching the steps.",
+       "",
+       {{Key::tab}},
+       [](Session& s) { s.set_mode(s.mode() == Mode::model ? Mode::steps : Mode::model); }},
+      {"steps.previous",
+       "Step back",
+       "One step back.",
+       icons::step_back,
+       {{Key::left}},
+       [](Session& s) { s.player.previous(); },
+       in_steps},
+      {"steps.next",
+       "Step forward",
+       "One step forward.",
+       icons::step_forward,
+       {{Key::right}},
+       [](Session& s) { s.player.next(); },
+       in_steps},
+      {"steps.play",
+       "Play",
+       "Plays the steps, or stops.",
+       icons::play,
+       {{Key::space}},
+       [](Session& s) { s.player.play(!s.player.is_playing()); },
+       in_steps,
+       [](const Session& s) { return s.player.is_playing(); }},
+      {"steps.next_special",
+       "Next special case",
+       "To the next step at which something touches instead of crossing.",
+       icons::star,
+       {{'N'}},
+       [](Session& s) {
+         if (!s.player.next_special(false)) s.messages.tell("No further special case.");
+       },
+       in_steps},
+      {"steps.previous_special",
+       "Previous special case",
+       "Back to the special case before.",
+       "",
+       {{'N', false, true}},
+       [](Session& s) {
+         if (!s.player.next_special(true)) s.messages.tell("No special case before this one.");
+       },
+       in_steps},
+      {"steps.next_stop",
+       "To the next break point",
+       "To the next step that a break point names.",
+       icons::flag,
+       {{'B'}},
+       [](Session& s) {
+         if (s.player.stops.empty())
+           s.messages.tell("Choose break points first: they are in the time line.");
+         else if (!s.player.next_stop())
+           s.messages.tell("No further step matches a break point.");
+       },
+       in_steps},
+      {"steps.next_phase",
+       "Next phase",
+       "To the first step of the next phase.",
+       "",
+       {{Key::page_down}},
+       [change_phase](Session& s) { change_phase(s, 1); },
+       in_steps},
+      {"steps.previous_phase",
+       "Previous phase",
+       "To the first step of the phase before.",
+       "",
+       {{Key::page_up}},
+       [change_phase](Session& s) { change_phase(s, -1); },
+       in_steps},
+      {"steps.follow",
+       "Camera follows",
+       "The camera goes to the place of each step.",
+       icons::crosshairs,
+       {{'C'}},
+       [](Session& s) { s.view.follow_steps = !s.view.follow_steps; },
+       in_steps,
+       [](const Session& s) { return s.view.follow_steps; }},
+  };
+}
+
+}  // namespace sectile::viewer
