@@ -1,6 +1,7 @@
 // sectile union | intersect | subtract
 #include <memory>
 
+#include "arguments.h"
 #include "careful_work.h"
 #include "command.h"
 #include "fold.h"
@@ -50,16 +51,10 @@ ExitCode run(const Arguments& arguments, Operation operation, const Options& opt
 
 Command add_boolean_command(CLI::App& program, Operation operation, Options& options) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* app =
-      program.add_subcommand(words_for(operation).name, words_for(operation).description);
-  app->add_option("operands", arguments->operands,
-                  "files of two or more solids; - is standard input")
-      ->required()
-      ->expected(2, -1)
-      ->type_name("A B...");
-  app->add_option("-o,--output", arguments->output, "file of the result; - is standard output")
-      ->required()
-      ->type_name("C");
+  CLI::App* app = add_command(program, words_for(operation).name, words_for(operation).description);
+  add_texts(*app, "operands", arguments->operands, 2, any_number,
+            "files of two or more solids; - is standard input", "A B...");
+  add_text(*app, "-o,--output", arguments->output, "file of the result; - is standard output", "C");
   add_input_format(*app, options);
   add_output_format(*app, options);
   add_validate(*app, options,

@@ -2,8 +2,10 @@
 #include <iostream>
 #include <memory>
 
+#include "arguments.h"
 #include "command.h"
 #include "input.h"
+#include "json.h"
 #include "summary.h"
 
 namespace sectile::cli {
@@ -61,11 +63,10 @@ ExitCode run(const std::string& name, const Options& options) {
 
 Command add_check_command(CLI::App& program, Options& options) {
   const auto name = std::make_shared<std::string>();
-  CLI::App* app = program.add_subcommand(
-      "check", "Is it a legal solid, and if not, where? Its volume, area, shells and genus");
-  app->add_option("file", *name, "file to check; - is standard input")
-      ->required()
-      ->type_name("FILE");
+  CLI::App* app =
+      add_command(program, "check",
+                  "Is it a legal solid, and if not, where? Its volume, area, shells and genus");
+  add_text(*app, "file", *name, "file to check; - is standard input", "FILE");
   add_input_format(*app, options);
   add_reporting(*app, options);
   return {app, [=, &options] { return run(*name, options); }};

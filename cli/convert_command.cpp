@@ -1,6 +1,7 @@
 // sectile convert
 #include <memory>
 
+#include "arguments.h"
 #include "careful_work.h"
 #include "command.h"
 #include "input.h"
@@ -44,16 +45,11 @@ ExitCode run(const Arguments& arguments, const Options& options) {
 
 Command add_convert_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* app =
-      program.add_subcommand("convert", "The same solid in another format, as triangles");
-  app->add_option("input", arguments->input, "file of the solid; - is standard input")
-      ->required()
-      ->type_name("IN");
-  app->add_option("-o,--output", arguments->output, "file to write; - is standard output")
-      ->required()
-      ->type_name("OUT");
-  app->add_flag("--keep-faces", arguments->keep_faces,
-                "write positions and polygons as they were read, not triangles (not for STL)");
+  CLI::App* app = add_command(program, "convert", "The same solid in another format, as triangles");
+  add_text(*app, "input", arguments->input, "file of the solid; - is standard input", "IN");
+  add_text(*app, "-o,--output", arguments->output, "file to write; - is standard output", "OUT");
+  add_switch(*app, "--keep-faces", arguments->keep_faces,
+             "write positions and polygons as they were read, not triangles (not for STL)");
   add_input_format(*app, options);
   add_output_format(*app, options);
   add_validate(*app, options, "check also that no faces cross, and the file written");

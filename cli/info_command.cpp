@@ -3,9 +3,11 @@
 #include <iostream>
 #include <memory>
 
+#include "arguments.h"
 #include "command.h"
 #include "file_formats.h"
 #include "input.h"
+#include "json.h"
 #include "summary.h"
 
 namespace sectile::cli {
@@ -112,11 +114,10 @@ ExitCode run(const std::string& name, const Options& options) {
 
 Command add_info_command(CLI::App& program, Options& options) {
   const auto name = std::make_shared<std::string>();
-  CLI::App* app = program.add_subcommand(
-      "info", "What a file holds: format, faces, extent, and the solid they bound, if they do");
-  app->add_option("file", *name, "file to describe; - is standard input")
-      ->required()
-      ->type_name("FILE");
+  CLI::App* app =
+      add_command(program, "info",
+                  "What a file holds: format, faces, extent, and the solid they bound, if they do");
+  add_text(*app, "file", *name, "file to describe; - is standard input", "FILE");
   add_input_format(*app, options);
   add_reporting(*app, options);
   return {app, [=, &options] { return run(*name, options); }};

@@ -1,13 +1,11 @@
 // The command line program. Its interface is described in README.md and by --help.
 #include <tbb/global_control.h>
 
+#include <CLI/CLI.hpp>
 #include <csignal>
-#include <iostream>
-#include <new>
 
 #include "command.h"
-#include "interrupt.h"
-#include "problem.h"
+#include "failures.h"
 
 namespace sectile::cli {
 namespace {
@@ -25,7 +23,7 @@ Files are OBJ, STL, OFF or PLY by their extension; - is standard input or output
 OBJ unless --input-format or --output-format says otherwise.
 Outputs appear whole or not at all.
 Exit codes: 0 done, 1 an input is not a legal solid, 2 wrong usage,
-  3 a file cannot be read or written, 4 internal error.
+  3 a file cannot be read or written, 4 internal error or out of memory.
 Help on a command: sectile COMMAND --help)";
 
 void describe(CLI::App& program) {
@@ -48,61 +46,13 @@ std::vector<Command> add_commands(CLI::App& program, Options& options) {
           add_trace_command(program, options)};
 }
 
-// Tells what went wrong: people on standard error, programs on standard output.
-class Failures {
- public:
-  Failures(std::string command, const Options& options)
-      : command_(std::move(command)), options_(options) {}
-
-  ExitCode tell(ExitCode code, const char* kind, const std::exception& error) const {
-    return tell(code, kind, error, Json::object());
-  }
-
-  ExitCode tell(const IllegalInput& error) const {
-    Json more{{"file", error.file()}, {"problems", Json::array()}};
-    for (const Problem& problem : error.problems()) more["problems"].push_back(to_json(problem));
-    return tell(ExitCode::not_legal, "not_legal", error, more);
-  }
-
- private:
-  ExitCode tell(ExitCode code, const char* kind, const std::exception& error,
-                const Json& more) const {
-    std::cerr << "sectile: " << error.what() << '\n';
-    if (options_.json) {
-      Json json{{"command", command_},
-                {"exit_code", static_cast<int>(code)},
-                {"error", {{"kind", kind}, {"message", error.what()}}}};
-      json["error"].update(more);
-      std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
-    }
-    return code;
-  }
-
-  std::string command_;
-  const Options& options_;
-};
-
 ExitCode run(const Command& command, const Options& options) {
-  const Failures failures(command.app->get_name(), options);
-  std::optional<tbb::global_control> limit;
+  // Never taken back: that would start threads, and terminate the program if the system refuses
+  // one.
+  [[maybe_unused]] static const tbb::global_control* limit = nullptr;
   if (options.threads)
-    limit.emplace(tbb::global_control::max_allowed_parallelism, *options.threads);
-  try {
-    return command.run();
-  } catch (const IllegalInput& error) {
-    return failures.tell(error);
-  } catch (const UsageError& error) {
-    return failures.tell(ExitCode::wrong_usage, "wrong_usage", error);
-  } catch (const FileError& error) {
-    return failures.tell(ExitCode::file_failure, "file", error);
-  } catch (const Cancelled&) {
-    std::cerr << "sectile: interrupted; nothing was written\n";
-    end_by_signal();
-  } catch (const std::bad_alloc& error) {
-    return failures.tell(ExitCode::internal_failure, "out_of_memory", error);
-  } catch (const std::exception& error) {
-    return failures.tell(ExitCode::internal_failure, "internal", error);
-  }
+    limit = new tbb::global_control(tbb::global_control::max_allowed_parallelism, *options.threads);
+  return run_and_tell(command.app->get_name(), command.run, options);
 }
 
 int run(int count, char** arguments) {

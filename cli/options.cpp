@@ -1,5 +1,7 @@
 #include "options.h"
 
+#include <CLI/CLI.hpp>
+
 #include "file_formats.h"
 
 namespace sectile::cli {

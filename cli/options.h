@@ -1,12 +1,14 @@
 // Options that several commands share, so that they mean the same everywhere.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
 
 #include "sectile/files.h"
+
+namespace CLI {
+class App;
+}
 
 namespace sectile::cli {
 

@@ -83,6 +83,7 @@ FileFormat output_format(const std::string& name, const Options& options) {
 Output rendered(const std::string& name, const PolygonMesh& mesh, const Options& options) {
   const FileFormat format = output_format(name, options);
   std::ostringstream out;
+  out.exceptions(std::ios::badbit);  // a stream would hide that memory ran out
   write_mesh(out, format, mesh, name);
   return {name, std::move(out).str()};
 }
@@ -99,7 +100,7 @@ void write_outputs(const std::vector<Output>& outputs) {
   for (const Output* output : special) write_special(*output);
   try {
     for (const auto& file : files) file->place(files.size() > 1);
-  } catch (const FileError&) {
+  } catch (...) {
     for (const auto& file : files) file->undo();
     throw;
   }

@@ -1,5 +1,6 @@
 #include "problem.h"
 
+#include "json.h"
 #include "summary.h"
 
 namespace sectile::cli {

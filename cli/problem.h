@@ -1,8 +1,8 @@
 // What is wrong with an input, and the exceptions that carry it to main.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>

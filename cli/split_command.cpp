@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "arguments.h"
 #include "careful_work.h"
 #include "command.h"
 #include "input.h"
@@ -55,20 +56,13 @@ ExitCode run(const Arguments& arguments, const Options& options) {
 
 Command add_split_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* app =
-      program.add_subcommand("split", "The two parts of a solid on the sides of a plane");
-  app->add_option("operand", arguments->operand, "file of the solid; - is standard input")
-      ->required()
-      ->type_name("A");
-  app->add_option("--plane", arguments->plane,
-                  "the plane ax + by + cz + d = 0; above it, ax + by + cz + d is positive")
-      ->required()
-      ->type_name("a,b,c,d");
-  app->add_option("-o,--output", arguments->outputs,
-                  "files of the parts above and below; one of them may be -, standard output")
-      ->required()
-      ->expected(2)
-      ->type_name("ABOVE BELOW");
+  CLI::App* app = add_command(program, "split", "The two parts of a solid on the sides of a plane");
+  add_text(*app, "operand", arguments->operand, "file of the solid; - is standard input", "A");
+  add_text(*app, "--plane", arguments->plane,
+           "the plane ax + by + cz + d = 0; above it, ax + by + cz + d is positive", "a,b,c,d");
+  add_texts(*app, "-o,--output", arguments->outputs, 2, 2,
+            "files of the parts above and below; one of them may be -, standard output",
+            "ABOVE BELOW");
   add_input_format(*app, options);
   add_output_format(*app, options);
   add_validate(*app, options,

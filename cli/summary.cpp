@@ -3,6 +3,7 @@
 #include <charconv>
 #include <iostream>
 
+#include "json.h"
 #include "output.h"
 
 namespace sectile::cli {

@@ -1,14 +1,16 @@
 // sectile trace
 #include "sectile/trace.h"
 
-#include <map>
+#include <iostream>
 #include <memory>
 #include <sstream>
 
+#include "arguments.h"
 #include "careful_work.h"
 #include "command.h"
 #include "input.h"
 #include "interrupt.h"
+#include "json.h"
 #include "output.h"
 #include "problem.h"
 
@@ -21,13 +23,6 @@ struct Arguments {
   std::string output;
 };
 
-const std::map<std::string, Operation>& operations() {
-  static const std::map<std::string, Operation> names{{"union", Operation::unite},
-                                                      {"intersect", Operation::intersect},
-                                                      {"subtract", Operation::subtract}};
-  return names;
-}
-
 ExitCode run(const Arguments& arguments, const Options& options) {
   check_inputs(arguments.operands);
   check_outputs({arguments.output}, options);
@@ -35,6 +30,7 @@ ExitCode run(const Arguments& arguments, const Options& options) {
   const Operands operands{arguments.operands, read_solids(arguments.operands, options, progress)};
   progress.stage("trace");
   std::ostringstream out;
+  out.exceptions(std::ios::badbit);  // a stream would hide that memory ran out
   blame_illegal_operands(operands, [&] {
     write_trace(out, operands.solids[0], operands.solids[1], arguments.operation);
   });
@@ -59,18 +55,12 @@ ExitCode run(const Arguments& arguments, const Options& options) {
 Command add_trace_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* app =
-      program.add_subcommand("trace", "What every phase of an operation finds and does, as JSON");
-  app->add_option("operands", arguments->operands, "files of two solids; - is standard input")
-      ->required()
-      ->expected(2)
-      ->type_name("A B");
-  app->add_option("--op", arguments->operation, "the operation: union, intersect or subtract")
-      ->required()
-      ->transform(CLI::Transformer(operations()))
-      ->type_name("OPERATION");
-  app->add_option("-o,--output", arguments->output, "file of the trace; - is standard output")
-      ->required()
-      ->type_name("T.json");
+      add_command(program, "trace", "What every phase of an operation finds and does, as JSON");
+  add_texts(*app, "operands", arguments->operands, 2, 2, "files of two solids; - is standard input",
+            "A B");
+  add_operation(*app, "--op", arguments->operation, "the operation: union, intersect or subtract");
+  add_text(*app, "-o,--output", arguments->output, "file of the trace; - is standard output",
+           "T.json");
   add_input_format(*app, options);
   add_validate(*app, options, "check that no faces of the operands cross");
   add_reporting(*app, options);

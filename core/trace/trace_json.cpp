@@ -1,9 +1,7 @@
-#include <nlohmann/json.hpp>
-
-#include <cmath>
 #include <ostream>
 
 #include "sectile/trace.h"
+#include "trace/json_text.h"
 
 namespace sectile {
 
@@ -31,82 +29,133 @@ std::string_view name_of(Phase phase) {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json to_json(const Vec3& v) {
-  return {v.x, v.y, v.z};
+std::string entity(char kind, std::uint32_t number) {
+  return kind + std::to_string(number);
 }
 
 const char* letter(std::uint8_t solid) {
   return solid == 0 ? "A" : "B";
 }
 
-Json to_json(const TraceSector& sector) {
-  Json json{{"solid", letter(sector.solid)}, {"face", "f" + std::to_string(sector.face)}};
-  if (sector.from_edge != TraceSector::no_edge) {
-    json["from_edge"] = "e" + std::to_string(sector.from_edge);
-    json["to_edge"] = "e" + std::to_string(sector.to_edge);
-    json["from"] = to_json(sector.from);
-    json["to"] = to_json(sector.to);
-  }
-  json["normal"] = to_json(sector.normal);
-  return json;
+template <class Value>
+void write(JsonText& json, const Value& value) {
+  json.value(value);
 }
 
-Json to_json(const TraceHalfPlane& h) {
-  Json json{{"solid", letter(h.solid)},
-            {"face", "f" + std::to_string(h.face)},
-            {"of", h.carrier},
-            {"forward", h.forward},
-            {"direction", to_json(h.direction)},
-            {"normal", to_json(h.normal)},
-            {"before", h.before},
-            {"after", h.after}};
-  if (h.coplanar >= 0) json["coplanar_with"] = h.coplanar;
-  json["kept"] = h.kept;
-  json["cut"] = h.cut;
-  return json;
+void write(JsonText& json, std::uint32_t number) {
+  json.value(std::size_t{number});
+}
+
+template <class Value>
+void member(JsonText& json, std::string_view name, const Value& value);
+
+void write(JsonText& json, const Vec3& v) {
+  json.begin_array();
+  for (const double x : {v.x, v.y, v.z}) json.value(x);
+  json.end_array();
+}
+
+void write(JsonText& json, const TraceSector& sector) {
+  json.begin_object();
+  member(json, "solid", letter(sector.solid));
+  member(json, "face", entity('f', sector.face));
+  if (sector.from_edge != TraceSector::no_edge) {
+    member(json, "from_edge", entity('e', sector.from_edge));
+    member(json, "to_edge", entity('e', sector.to_edge));
+    member(json, "from", sector.from);
+    member(json, "to", sector.to);
+  }
+  member(json, "normal", sector.normal);
+  json.end_object();
+}
+
+void write(JsonText& json, const TraceHalfPlane& h) {
+  json.begin_object();
+  member(json, "solid", letter(h.solid));
+  member(json, "face", entity('f', h.face));
+  member(json, "of", h.carrier);
+  member(json, "forward", h.forward);
+  member(json, "direction", h.direction);
+  member(json, "normal", h.normal);
+  member(json, "before", h.before);
+  member(json, "after", h.after);
+  if (h.coplanar >= 0) member(json, "coplanar_with", h.coplanar);
+  member(json, "kept", h.kept);
+  member(json, "cut", h.cut);
+  json.end_object();
+}
+
+using Fact = std::pair<std::string, std::string>;
+
+void write(JsonText& json, const Fact& fact) {
+  json.begin_array();
+  json.value(fact.first);
+  json.value(fact.second);
+  json.end_array();
+}
+
+template <class Value>
+void member(JsonText& json, std::string_view name, const Value& value) {
+  json.name(name);
+  write(json, value);
 }
 
 template <class T>
-void add_list(Json& json, const char* name, const std::vector<T>& list) {
-  for (const T& item : list) json[name].push_back(to_json(item));
+void write_list(JsonText& json, std::string_view name, const std::vector<T>& list) {
+  if (list.empty()) return;
+  json.name(name);
+  json.begin_array();
+  for (const T& item : list) write(json, item);
+  json.end_array();
 }
 
-Json to_json(const TraceEvent& event, Operation operation) {
-  Json json{{"kind", event.kind}};
-  if (!event.a.empty()) json["a"] = event.a;
-  if (!event.b.empty()) json["b"] = event.b;
-  add_list(json, "points", event.points);
-  for (const auto& [name, value] : event.facts) json["facts"].push_back({name, value});
-  if (event.kind == "contact")
-    json["facts"].push_back({"place", std::to_string(event.places.at(0))});
+std::vector<Fact> all_facts(const TraceEvent& event, Operation operation) {
+  std::vector<Fact> facts = event.facts;
+  if (event.kind == "contact") facts.emplace_back("place", std::to_string(event.places.at(0)));
   if (event.kind == "neighborhood") {
-    for (const TraceHalfPlane& h : event.half_planes)
-      json["facts"].push_back({"half-plane", describe(h)});
+    for (const TraceHalfPlane& h : event.half_planes) facts.emplace_back("half-plane", describe(h));
     const PaperRule rule = paper_rule(event, operation);
-    json["facts"].push_back({"rule", rule.where});
-    json["facts"].push_back({"says", rule.says});
+    facts.emplace_back("rule", rule.where);
+    facts.emplace_back("says", rule.says);
   }
-  if (!event.places.empty()) json["places"] = event.places;
-  add_list(json, "sectors", event.sectors);
-  add_list(json, "half_planes", event.half_planes);
-  add_list(json, "pulls", event.pulls);
-  return json;
+  return facts;
 }
 
-class JsonObserver : public Observer {
- public:
-  explicit JsonObserver(Operation operation) : operation_(operation) {}
-  void phase_done(Phase phase, const std::vector<TraceEvent>& events) override {
-    Json list = Json::array();
-    for (const TraceEvent& event : events) list.push_back(to_json(event, operation_));
-    phases.push_back({{"phase", name_of(phase)}, {"count", events.size()}, {"events", list}});
-  }
-  Json phases = Json::array();
+void write(JsonText& json, const TraceEvent& event, Operation operation) {
+  json.begin_object();
+  member(json, "kind", event.kind);
+  if (!event.a.empty()) member(json, "a", event.a);
+  if (!event.b.empty()) member(json, "b", event.b);
+  write_list(json, "points", event.points);
+  write_list(json, "facts", all_facts(event, operation));
+  write_list(json, "places", event.places);
+  write_list(json, "sectors", event.sectors);
+  write_list(json, "half_planes", event.half_planes);
+  write_list(json, "pulls", event.pulls);
+  json.end_object();
+}
 
- private:
-  Operation operation_;
+struct PhaseEvents {
+  Phase phase;
+  std::vector<TraceEvent> events;
+};
+
+void write(JsonText& json, const PhaseEvents& done, Operation operation) {
+  json.begin_object();
+  member(json, "phase", name_of(done.phase));
+  member(json, "count", done.events.size());
+  json.name("events");
+  json.begin_array();
+  for (const TraceEvent& event : done.events) write(json, event, operation);
+  json.end_array();
+  json.end_object();
+}
+
+struct Recorder : Observer {
+  void phase_done(Phase phase, const std::vector<TraceEvent>& events) override {
+    phases.push_back({phase, events});
+  }
+  std::vector<PhaseEvents> phases;
 };
 
 std::string_view name_of(Operation operation) {
@@ -124,15 +173,21 @@ std::string_view name_of(Operation operation) {
 }  // namespace
 
 void write_trace(std::ostream& out, const Solid& a, const Solid& b, Operation operation) {
-  JsonObserver observer(operation);
+  Recorder recorder;
   BooleanOptions options;
-  options.observer = &observer;
+  options.observer = &recorder;
   const Solid result = boolean(a, b, operation, options);
-  const Json document{{"format", "sectile trace 1"},
-                      {"operation", name_of(operation)},
-                      {"volume", result.volume()},
-                      {"phases", observer.phases}};
-  out << document.dump(1) << '\n';
+  JsonText json(out);
+  json.begin_object();
+  member(json, "format", "sectile trace 1");
+  member(json, "operation", name_of(operation));
+  member(json, "volume", result.volume());
+  json.name("phases");
+  json.begin_array();
+  for (const PhaseEvents& done : recorder.phases) write(json, done, operation);
+  json.end_array();
+  json.end_object();
+  out << '\n';
 }
 
 }  // namespace sectile

@@ -1,6 +1,7 @@
 #include "program.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,12 +27,14 @@ void put(const fs::path& path, const std::string& content) {
 
 // In the child process: only calls that are safe after fork.
 [[noreturn]] void become_program(const char* work, const char* const streams[3],
-                                 char* const* arguments) {
+                                 char* const* arguments, std::size_t most_memory) {
   for (int stream = 0; stream < 3; ++stream) {
     const int file = open(streams[stream], stream == 0 ? O_RDONLY : O_WRONLY | O_CREAT | O_TRUNC,
                           S_IRUSR | S_IWUSR);
     if (file < 0 || dup2(file, stream) < 0) _exit(126);
   }
+  const rlimit limit{most_memory, most_memory};
+  if (most_memory > 0 && setrlimit(RLIMIT_AS, &limit) != 0) _exit(126);
   if (chdir(work) == 0) execv(arguments[0], arguments);
   _exit(127);
 }
@@ -69,7 +72,7 @@ Ended ProgramTest::run(const std::vector<std::string>& arguments, const std::str
 
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("cannot fork");
-  if (child == 0) become_program(work_.c_str(), streams, pointers.data());
+  if (child == 0) become_program(work_.c_str(), streams, pointers.data(), most_memory_);
   meanwhile(child);
   int status = 0;
   if (waitpid(child, &status, 0) != child) throw std::runtime_error("cannot wait");

@@ -28,6 +28,8 @@ class ProgramTest : public ::testing::Test {
   /// The same; `meanwhile` gets the process's id as soon as it runs.
   Ended run(const std::vector<std::string>& arguments, const std::string& input,
             const std::function<void(int)>& meanwhile) const;
+  /// Runs from now on get no more addresses than this.
+  void limit_memory(std::size_t bytes) { most_memory_ = bytes; }
 
   void write(const std::string& name, const std::string& content) const;
   std::string read(const std::string& name) const;
@@ -38,6 +40,7 @@ class ProgramTest : public ::testing::Test {
 
  private:
   std::filesystem::path folder_, work_;
+  std::size_t most_memory_ = 0;  // 0: no limit
 };
 
 }  // namespace sectile::test
