@@ -32,18 +32,16 @@ struct Leaving {
 
 class CutOrder {
  public:
-  explicit CutOrder(Workspace& w) : w_(w), kernel_(w.tests()) {}
+  explicit CutOrder(Workspace& w) : w_(w), kernel_(w.tests()), along_(w.carriers.size()) {}
 
   void run() {
+    for (const Segment& segment : w_.segments)
+      for (std::uint32_t i = 0; i < segment.carrier_count; ++i)
+        along_[segment.first_carrier + i] =
+            direction_along(segment, w_.carriers[segment.first_carrier + i]);
+    leaving_.reserve(w_.cut_ends.size());
     for_each_place(w_, [&](std::span<const std::uint32_t> sites) { leave_place(sites); });
-    // Where a face touches itself, the corner may be that of another vertex at the place.
-    std::stable_sort(leaving_.begin(), leaving_.end(),
-                     [](const Leaving& p, const Leaving& q) { return p.end.site < q.end.site; });
-    for (Site& site : w_.sites) site.end_count = 0;
-    for (std::uint32_t i = 0; i < leaving_.size(); ++i) {
-      Site& site = w_.sites[leaving_[i].end.site];
-      if (site.end_count++ == 0) site.first_end = i;
-    }
+    group_by_site();
     for (const Site& site : w_.sites) sort(site);
     for (std::uint32_t i = 0; i < leaving_.size(); ++i) w_.cut_ends[i] = leaving_[i].end;
   }
@@ -66,6 +64,24 @@ class CutOrder {
     }
   }
 
+  // Where a face touches itself, the corner may be that of another vertex at the place.
+  void group_by_site() {
+    for (Site& site : w_.sites) site.end_count = 0;
+    for (const Leaving& l : leaving_) ++w_.sites[l.end.site].end_count;
+    std::uint32_t first = 0;
+    for (Site& site : w_.sites) {
+      site.first_end = first;
+      first += site.end_count;
+      site.end_count = 0;
+    }
+    std::vector<Leaving> grouped(leaving_.size());
+    for (const Leaving& l : leaving_) {
+      Site& site = w_.sites[l.end.site];
+      grouped[site.first_end + site.end_count++] = l;
+    }
+    leaving_.swap(grouped);
+  }
+
   std::uint32_t site_with(std::span<const std::uint32_t> sites, VertexId v) const {
     for (const std::uint32_t s : sites)
       if (!w_.sites[s].entity.is_face() && w_.sites[s].vertex == v) return s;
@@ -82,7 +98,8 @@ class CutOrder {
       l.rank = at_start ? 0 : 2;
       l.end.corner = at_start ? h : next_with_length(patch().brep, h);
     } else {
-      l.direction = direction_within(l.end, c.entity.face());
+      const Direction along = along_[l.end.carrier];
+      l.direction = l.end.which == 0 ? along : -along;
       if (!site_->entity.is_face()) l.end.corner = corner_of(c.entity.face(), l.direction);
     }
     return l;
@@ -100,14 +117,14 @@ class CutOrder {
     }
   }
 
-  Direction direction_within(const CutEnd& end, FaceId face) const {
-    const Segment& segment = w_.segments[end.segment];
-    const PlaneId plane = patch().plane(face);
+  // The direction of a segment within a face that it cuts.
+  Direction direction_along(const Segment& segment, const Carrier& c) const {
+    if (!c.cut || !c.entity.is_face()) return {};
+    const PlaneId plane = w_.patch[c.solid].plane(c.entity.face());
     const PlaneId across =
         kernel_.parallel(plane, segment.plane[0]) ? segment.plane[1] : segment.plane[0];
-    const Direction d = direction_between(kernel_, plane, across, w_.point(segment.place[0]),
-                                          w_.point(segment.place[1]));
-    return end.which == 0 ? d : -d;
+    return direction_between(kernel_, plane, across, w_.point(segment.place[0]),
+                             w_.point(segment.place[1]));
   }
 
   // Among the corners of all the face's vertices here, if it touches itself.
@@ -170,7 +187,8 @@ class CutOrder {
   Workspace& w_;
   const Kernel& kernel_;
   const Site* site_ = nullptr;
-  std::vector<VertexId> here_;  // of the sites at the place that is looked at
+  std::vector<Direction> along_;  // per carrier, for cut faces
+  std::vector<VertexId> here_;    // of the sites at the place that is looked at
   std::vector<Leaving> leaving_;
 };
 

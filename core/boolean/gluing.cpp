@@ -38,6 +38,7 @@ class Assembly {
   }
 
   Glued run() {
+    reserve();
     for (int s = 0; s < 2; ++s) {
       for (std::size_t f = 0; f < kept_.loaded[s].size(); ++f)
         if (kept_.loaded[s][f]) add_face(s, true, FaceId(f));
@@ -50,6 +51,23 @@ class Assembly {
   }
 
  private:
+  // For each corner of a kept face there will be a half-edge.
+  void reserve() {
+    std::size_t half_edges = 0, faces = 0;
+    for (int s = 0; s < 2; ++s)
+      for (const bool loaded : {true, false}) {
+        const auto& kept = loaded ? kept_.loaded[s] : kept_.rest[s];
+        if (kept.empty()) continue;
+        const Brep& from = source(s, loaded);
+        for (std::size_t h = 0; h < from.half_edge_count(); ++h)
+          half_edges += kept[from.face_of(HalfEdgeId(h)).value()] != 0;
+        for (const std::uint8_t label : kept) faces += label != 0;
+      }
+    const std::size_t edges = half_edges / 2;
+    brep_.reserve(edges, faces, edges > faces ? edges - faces + 2 : 2);
+    start_.reserve(half_edges);
+  }
+
   const Brep& source(int s, bool loaded) const {
     return loaded ? w_.patch[s].brep : w_.patch[s].solid->brep;
   }

@@ -3,10 +3,10 @@
 namespace sectile {
 
 std::pair<PlaneId, PlaneId> line_planes(const Patch& patch, HalfEdgeId h) {
-  const FaceId f = patch.brep.face_of(h);
-  if (patch.is_real(f)) return {patch.plane(f), patch.side(h)};
-  const HalfEdgeId back = Brep::twin(h);
-  return {patch.plane(patch.brep.face_of(back)), patch.side(back)};
+  // The same two for both half-edges, so that points know each other by them.
+  HalfEdgeId first = Brep::half_edge(Brep::edge_of(h));
+  if (!patch.is_real(patch.brep.face_of(first))) first = Brep::twin(first);
+  return {patch.plane(patch.brep.face_of(first)), patch.side(first)};
 }
 
 Construction edge_plane_construction(const Workspace& w, int s, HalfEdgeId h, PlaneId plane) {

@@ -8,43 +8,44 @@ namespace {
 
 class SiteSplitter {
  public:
-  SiteSplitter(Workspace& w, Site& site)
-      : w_(w), site_(site), brep_(w.patch[site.solid].brep), euler_(brep_) {}
+  explicit SiteSplitter(Workspace& w) : w_(w) {}
 
-  void run() {
-    if (site_.entity.is_face())
+  void run(Site& site) {
+    site_ = &site;
+    brep_ = &w_.patch[site.solid].brep;
+    if (site.entity.is_face())
       split_face();
     else
       split_vertex();
   }
 
  private:
-  CutEnd& end_of(std::uint32_t i) { return w_.cut_ends[site_.first_end + i]; }
+  CutEnd& end_of(std::uint32_t i) { return w_.cut_ends[site_->first_end + i]; }
 
   // The first null edge is an inner loop of the face; further ones extend it.
   void split_face() {
-    const HalfEdgeId out = euler_.mevvr(site_.entity.face(), w_.point(site_.place));
-    site_.vertex = brep_.from(out);
+    const HalfEdgeId out = Euler(*brep_).mevvr(site_->entity.face(), w_.point(site_->place));
+    site_->vertex = brep_->from(out);
     adopt(out);
-    extend_chain(out, site_.end_count);
+    extend_chain(out, site_->end_count);
   }
 
   // The last cut in counter-clockwise order comes before all other edges: what lies between it and
   // the first one stays with the old vertex.
   void split_vertex() {
-    const std::uint32_t k = site_.end_count;
+    const std::uint32_t k = site_->end_count;
     if (k == 1) {
       end_of(0).first = end_of(0).corner;
       return;
     }
-    std::vector<HalfEdgeId> after(k);  // the edge counter-clockwise of each cut
-    for (std::uint32_t i = 0; i < k; ++i) after[i] = brep_.around(end_of(i).corner);
-    const HalfEdgeId stays = after[k - 1];
+    after_.clear();
+    for (std::uint32_t i = 0; i < k; ++i) after_.push_back(brep_->around(end_of(i).corner));
+    const HalfEdgeId stays = after_[k - 1];
     HalfEdgeId end = stays, first_out;
     for (std::uint32_t i = 0; i + 1 < k; ++i) {
       // The run after cut i and all further ones move on.
       const bool moves = end_of(i).corner != end_of(k - 1).corner;
-      const HalfEdgeId out = euler_.mev(moves ? after[i] : end, end);
+      const HalfEdgeId out = Euler(*brep_).mev(moves ? after_[i] : end, end);
       adopt(out);
       if (i == 0) first_out = out;
       end = Brep::twin(out);
@@ -62,7 +63,7 @@ class SiteSplitter {
     HalfEdgeId end = Brep::twin(out);
     end_of(0).first = end_of(0).last = k == 1 ? out : end;
     for (std::uint32_t i = 1; i + 1 < k; ++i) {
-      last_out_ = euler_.mev(end, end);
+      last_out_ = Euler(*brep_).mev(end, end);
       adopt(last_out_);
       end = Brep::twin(last_out_);
       end_of(i).first = end_of(i).last = end;
@@ -74,23 +75,24 @@ class SiteSplitter {
   }
 
   void adopt(HalfEdgeId made) {
-    Patch& patch = w_.patch[site_.solid];
-    patch.side_plane.resize(brep_.half_edge_count());
-    patch.half_edge_in_solid.resize(brep_.half_edge_count());
-    w_.null_edges.push_back({site_.solid, Brep::edge_of(made)});
+    Patch& patch = w_.patch[site_->solid];
+    patch.side_plane.resize(brep_->half_edge_count());
+    patch.half_edge_in_solid.resize(brep_->half_edge_count());
+    w_.null_edges.push_back({site_->solid, Brep::edge_of(made)});
   }
 
   Workspace& w_;
-  Site& site_;
-  Brep& brep_;
-  Euler euler_;
+  Site* site_ = nullptr;
+  Brep* brep_ = nullptr;
   HalfEdgeId last_out_;
+  std::vector<HalfEdgeId> after_;  // the edge counter-clockwise of each cut
 };
 
 }  // namespace
 
 void insert_null_edges(Workspace& w) {
-  for (Site& site : w.sites) SiteSplitter(w, site).run();
+  SiteSplitter splitter(w);
+  for (Site& site : w.sites) splitter.run(site);
 }
 
 }  // namespace sectile

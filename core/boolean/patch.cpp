@@ -248,6 +248,13 @@ Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geome
   return patch;
 }
 
+void Patch::reserve(std::size_t more_edges) {
+  brep.reserve(more_edges, more_edges, more_edges);
+  side_plane.reserve(side_plane.size() + 2 * more_edges);
+  half_edge_in_solid.reserve(half_edge_in_solid.size() + 2 * more_edges);
+  root.reserve(root.size() + more_edges);
+}
+
 PointId load_point(const Geometry& from, PointId point, Geometry& to) {
   return GeometryLoader(from, to, 8).point(point);
 }

@@ -39,6 +39,9 @@ struct Patch {
   /// The half-space's face has no boundary and reaches to infinity.
   bool unbounded = false;
 
+  /// Room for this many more edges, and as many loops, faces and vertices.
+  void reserve(std::size_t more_edges);
+
   bool is_real(FaceId f) const { return brep.kind[f.value()] == FaceKind::real; }
   PlaneId plane(FaceId f) const { return brep.plane[f.value()]; }
   PlaneId side(HalfEdgeId h) const { return side_plane[h.value()]; }

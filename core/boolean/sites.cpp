@@ -18,25 +18,41 @@ void find_sites(Workspace& w) {
         w.cut_ends.push_back({0, s, index, which, {}, {}, {}});
     }
   }
-  const auto key = [&](const CutEnd& end) {
-    const Carrier& c = w.carriers[end.carrier];
-    return std::tuple(c.solid, c.end[end.which], w.segments[end.segment].place[end.which]);
-  };
-  std::stable_sort(w.cut_ends.begin(), w.cut_ends.end(),
-                   [&](const CutEnd& p, const CutEnd& q) { return key(p) < key(q); });
-  for (std::uint32_t i = 0; i < w.cut_ends.size(); ++i) {
-    if (i == 0 || key(w.cut_ends[i]) != key(w.cut_ends[i - 1])) {
-      const auto [solid, entity, place] = key(w.cut_ends[i]);
-      w.sites.push_back({solid, entity, place, i, 0, {}, {}});
+  struct Keyed {
+    std::uint8_t solid;
+    Entity entity;
+    std::uint32_t place, index;
+    bool same_site(const Keyed& k) const {
+      return solid == k.solid && entity == k.entity && place == k.place;
     }
-    ++w.sites.back().end_count;
-    w.cut_ends[i].site = static_cast<std::uint32_t>(w.sites.size() - 1);
+    auto operator<=>(const Keyed&) const = default;
+  };
+  std::vector<Keyed> order(w.cut_ends.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
+    const CutEnd& end = w.cut_ends[i];
+    const Carrier& c = w.carriers[end.carrier];
+    order[i] = {c.solid, c.end[end.which], w.segments[end.segment].place[end.which], i};
   }
+  std::sort(order.begin(), order.end());
+  std::vector<CutEnd> sorted;
+  sorted.reserve(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
+    if (i == 0 || !order[i].same_site(order[i - 1]))
+      w.sites.push_back({order[i].solid, order[i].entity, order[i].place, i, 0, {}, {}});
+    ++w.sites.back().end_count;
+    sorted.push_back(w.cut_ends[order[i].index]);
+    sorted.back().site = static_cast<std::uint32_t>(w.sites.size() - 1);
+  }
+  w.cut_ends = std::move(sorted);
+  // A site may divide an edge, and a cut is two null edges and one between them.
+  std::size_t more_edges[2] = {0, 0};
+  for (const Site& site : w.sites) more_edges[site.solid] += 1 + 2 * site.end_count;
+  for (int s = 0; s < 2; ++s) w.patch[s].reserve(more_edges[s]);
 }
 
 namespace {
 
-void subdivide(Workspace& w, EdgeId e, std::span<Site> sites) {
+void subdivide(Workspace& w, EdgeId e, std::span<Site> sites, std::vector<Site*>& order) {
   Patch& patch = w.patch[sites[0].solid];
   Brep& brep = patch.brep;
   const HalfEdgeId first = Brep::half_edge(e);
@@ -44,7 +60,7 @@ void subdivide(Workspace& w, EdgeId e, std::span<Site> sites) {
   const int axis = w.tests().cross_axis(a, b);
   const Sign along =
       w.tests().compare(brep.point_of(brep.from(first)), brep.point_of(brep.to(first)), axis);
-  std::vector<Site*> order;
+  order.clear();
   for (Site& site : sites) order.push_back(&site);
   std::sort(order.begin(), order.end(), [&](const Site* p, const Site* q) {
     return w.tests().compare(w.point(p->place), w.point(q->place), axis) == along;
@@ -63,6 +79,7 @@ void subdivide(Workspace& w, EdgeId e, std::span<Site> sites) {
 }  // namespace
 
 void subdivide_edges(Workspace& w) {
+  std::vector<Site*> order;
   for (std::size_t from = 0, to; from < w.sites.size(); from = to) {
     Site& site = w.sites[from];
     for (to = from + 1; to < w.sites.size() && w.sites[to].solid == site.solid &&
@@ -70,7 +87,7 @@ void subdivide_edges(Workspace& w) {
       ++to;
     if (site.entity.is_vertex()) site.vertex = site.entity.vertex();
     if (site.entity.is_edge())
-      subdivide(w, site.entity.edge(), std::span(w.sites).subspan(from, to - from));
+      subdivide(w, site.entity.edge(), std::span(w.sites).subspan(from, to - from), order);
   }
 }
 

@@ -127,12 +127,8 @@ ConstructedPoint Kernel::construct(const Construction& how) const {
   const BoundedPoint near = bounded(how);
   const auto x = nearest_quotient(near.x[0], near.w), y = nearest_quotient(near.x[1], near.w),
              z = nearest_quotient(near.x[2], near.w);
-  if (x && y && z) {
-    const Vec3 position{*x, *y, *z};
-    for (int axis = 0; axis < 3; ++axis)
-      if ((near.x[axis] - Bounded(component(position, axis)) * near.w).decided())
-        return {position, false};
-  }
+  if (x && y && z && (x->inexact || y->inexact || z->inexact))
+    return {{x->value, y->value, z->value}, false};
   const ExactPoint point = exact(how);
   const Vec3 position = rounded(point);
   return {position, equals(point, position)};
@@ -245,29 +241,34 @@ Sign Kernel::cross(PlaneId a, PlaneId b, int axis) const {
   return minor(p.n[i], p.n[j], q.n[i], q.n[j]).sign();
 }
 
-Kernel::AxisSign Kernel::main_cross(PlaneId a, PlaneId b) const {
-  if (a == b) return {-1, Sign::zero};
+Estimate Kernel::estimated_cross(PlaneId a, PlaneId b, int& largest) const {
   const PlaneValue &u = value(a), &v = value(b);
-  double component[3], size[3], sum = 0;
+  double component[3], sum = 0;
   for (int k = 0; k < 3; ++k) {
     const int i = next_axis(k), j = next_next_axis(k);
     const double left = u.n[i] * v.n[j], right = u.n[j] * v.n[i];
     component[k] = left - right;
-    size[k] = std::abs(component[k]);
     sum += std::abs(left) + std::abs(right);
   }
-  int order[3] = {0, 1, 2};
-  if (size[order[1]] > size[order[0]]) std::swap(order[0], order[1]);
-  if (size[order[2]] > size[order[0]]) std::swap(order[0], order[2]);
-  const auto length = [](const PlaneValue& s) {
-    return std::abs(s.n[0]) + std::abs(s.n[1]) + std::abs(s.n[2]) + s.n_error;
-  };
+  largest = std::abs(component[1]) > std::abs(component[0]) ? 1 : 0;
+  if (std::abs(component[2]) > std::abs(component[largest])) largest = 2;
   double error = 4 * unit * sum + 8 * smallest;
-  if (!u.exact || !v.exact) error += 2 * (u.n_error * length(v) + v.n_error * length(u));
-  const Estimate largest{component[order[0]], error};
-  if (largest.decided()) return {order[0], largest.sign()};
-  for (const int k : order)
-    if (const Sign sign = cross(a, b, k); sign != Sign::zero) return {k, sign};
+  if (!u.exact || !v.exact) {
+    const auto size = [](const PlaneValue& s) {
+      return std::abs(s.n[0]) + std::abs(s.n[1]) + std::abs(s.n[2]) + s.n_error;
+    };
+    error += 2 * (u.n_error * size(v) + v.n_error * size(u));
+  }
+  return {component[largest], error};
+}
+
+Kernel::AxisSign Kernel::main_cross(PlaneId a, PlaneId b) const {
+  if (a == b) return {-1, Sign::zero};
+  int largest;
+  const Estimate component = estimated_cross(a, b, largest);
+  if (component.decided()) return {largest, component.sign()};
+  for (const int axis : {largest, next_axis(largest), next_next_axis(largest)})
+    if (const Sign sign = cross(a, b, axis); sign != Sign::zero) return {axis, sign};
   return {-1, Sign::zero};
 }
 

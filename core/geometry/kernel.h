@@ -93,6 +93,8 @@ class Kernel {
 
  private:
   Sign exact_side(PointId point, PlaneId plane) const;
+  // Component `largest` of normal(a) × normal(b), the largest one as far as doubles tell.
+  Estimate estimated_cross(PlaneId a, PlaneId b, int& largest) const;
 
   const Geometry& geometry_;
   std::vector<PlaneValue> values_;

@@ -11,6 +11,12 @@
 
 namespace sectile {
 
+/// A number rounded to nearest.
+struct Rounded {
+  double value;
+  bool inexact;  ///< certainly not the number itself
+};
+
 /// Stands for the numbers from high + low - error to high + low + error. What overflows becomes NaN
 /// or has no finite error; it decides nothing.
 class Bounded {
@@ -55,9 +61,9 @@ class Bounded {
   }
 
   /// numerator / denominator, correctly rounded, if the errors leave no doubt.
-  friend std::optional<double> nearest_quotient(const Bounded& numerator,
-                                                const Bounded& denominator) {
-    if (numerator.is_zero()) return 0.0;
+  friend std::optional<Rounded> nearest_quotient(const Bounded& numerator,
+                                                 const Bounded& denominator) {
+    if (numerator.is_zero()) return Rounded{0, false};
     const double first = numerator.high_ / denominator.high_;
     const Bounded rest = numerator - Bounded(first) * denominator;
     const double second = rest.high_ / denominator.high_;
@@ -71,7 +77,8 @@ class Bounded {
         (1 + 16 * unit);
     const double nearest = first + second, left = sum_error(first, second, nearest);
     // Rounding is monotonic: what both bounds are rounded to, so is the quotient.
-    if (nearest + (left - error) == nearest && nearest + (left + error) == nearest) return nearest;
+    if (nearest + (left - error) == nearest && nearest + (left + error) == nearest)
+      return Rounded{nearest, std::abs(left) > error};
     return std::nullopt;
   }
 

@@ -47,6 +47,9 @@ class Brep {
   std::size_t face_count() const { return outer_loop.size(); }
   std::size_t vertex_count() const { return point.size(); }
 
+  /// Room for so many more edges, faces with one loop each, and vertices.
+  void reserve(std::size_t edges, std::size_t faces, std::size_t vertices);
+
   static HalfEdgeId twin(HalfEdgeId h) { return HalfEdgeId(h.value() ^ 1u); }
   static EdgeId edge_of(HalfEdgeId h) { return EdgeId(h.value() >> 1); }
   static HalfEdgeId half_edge(EdgeId e, unsigned side = 0) {
@@ -67,6 +70,24 @@ class Brep {
   /// The half-edge that leaves the same vertex next in counter-clockwise order, seen from outside.
   HalfEdgeId around(HalfEdgeId h) const { return twin(prev_of(h)); }
 };
+
+inline void Brep::reserve(std::size_t edges, std::size_t faces, std::size_t vertices) {
+  const auto add = [](auto& table, std::size_t more) { table.reserve(table.size() + more); };
+  add(origin, 2 * edges);
+  add(next, 2 * edges);
+  add(prev, 2 * edges);
+  add(loop, 2 * edges);
+  if (!edge_plane.empty()) add(edge_plane, edges);
+  add(loop_half_edge, faces);
+  add(loop_face, faces);
+  add(next_loop, faces);
+  add(outer_loop, faces);
+  add(plane, faces);
+  add(source, faces);
+  if (!kind.empty()) add(kind, faces);
+  add(vertex_half_edge, vertices);
+  add(point, vertices);
+}
 
 /// Calls visit(HalfEdgeId) for every half-edge of a loop, in order.
 template <class Visit>

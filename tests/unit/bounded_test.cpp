@@ -113,7 +113,7 @@ TEST_F(BoundedNumber, OverflowDecidesNothing) {
 
 TEST_F(BoundedNumber, QuotientsAreRoundedToNearestOrRefused) {
   NumberSamples samples(5);
-  int rounded = 0;
+  int rounded = 0, known_inexact = 0;
   for (int i = 0; i < 200'000; ++i) {
     const Source value = i % 2 == 0 ? &NumberSamples::any : &NumberSamples::full;
     const Both n = expression(samples, value, i % 3), d = expression(samples, value, i % 3);
@@ -122,10 +122,14 @@ TEST_F(BoundedNumber, QuotientsAreRoundedToNearestOrRefused) {
     if (!quotient) continue;
     ++rounded;
     const double expected = nearest_quotient(n.exact, d.exact);
-    EXPECT_EQ(*quotient, expected);
-    EXPECT_EQ(std::signbit(*quotient), std::signbit(expected));
+    EXPECT_EQ(quotient->value, expected);
+    EXPECT_EQ(std::signbit(quotient->value), std::signbit(expected));
+    const bool exact = (Dyadic(expected) * d.exact - n.exact).sign() == Sign::zero;
+    EXPECT_FALSE(quotient->inexact && exact);
+    known_inexact += quotient->inexact;
   }
   EXPECT_GT(rounded, 50'000);
+  EXPECT_GT(known_inexact, rounded / 2);
 }
 
 TEST_F(BoundedNumber, QuotientsInTheMiddleBetweenTwoDoublesAreLeftToExactNumbers) {

@@ -24,9 +24,18 @@ struct InPlane {
   FaceId face;
 };
 
+/// A face's half-edge with the sides of its ends relative to another face's plane.
+struct SidedHalfEdge {
+  HalfEdgeId h;
+  Sign from, to;
+  bool meets_plane() const { return from == Sign::zero || from * to == Sign::negative; }
+};
+
 struct PairOfFaces {
   FaceId face[2];
   bool coplanar;
+  /// Indices in ContactTable::sided of the half-edges of both faces that meet the other's plane.
+  std::uint32_t first_sided[2], last_sided[2];
 };
 
 /// The outcome of the tests of all pairs. [s]: the piercer or edge belongs to solid s.
@@ -35,21 +44,16 @@ struct ContactTable {
   std::vector<InPlane> in_plane[2];
   std::vector<std::pair<EdgeId, EdgeId>> flat_crossings;
   std::vector<PairOfFaces> pairs;  ///< not separated by one of their planes
+  std::vector<SidedHalfEdge> sided[2];
 
   /// Where a piercer meets a face; on several entities where the face touches itself.
   std::span<const Hit> find(int solid, Entity piercer, FaceId face) const;
+  /// The half-edges of one face of a pair that meet the other one's plane.
+  std::span<const SidedHalfEdge> meeting(const PairOfFaces& pair, int solid) const {
+    return std::span(sided[solid])
+        .subspan(pair.first_sided[solid], pair.last_sided[solid] - pair.first_sided[solid]);
+  }
 };
-
-/// A corner's half-edge with the sides of its ends relative to the other face's plane.
-struct SidedHalfEdge {
-  HalfEdgeId h;
-  Sign from, to;
-};
-
-/// The half-edges of a face that come near a box, with their sides. Returns false if it is certain
-/// that the face does not reach the plane.
-bool sided_half_edges(const Workspace& w, int solid, FaceId face, FaceId other,
-                      std::vector<SidedHalfEdge>& out);
 
 /// Steps 1 to 8 for all pairs; fills Workspace::contacts.
 ContactTable find_contacts(Workspace& w, const FacePairs& candidates);

@@ -1,6 +1,7 @@
 // Steps (1) to (8) of section 5 of the paper: each edge and vertex of one solid against each face
 // of the other that comes near it, once.
 #include <algorithm>
+#include <iterator>
 
 #include "boolean/collect.h"
 #include "boolean/face_location.h"
@@ -24,11 +25,49 @@ bool near_half_edges(const Patch& patch, FaceId face, const Box& box,
   return true;
 }
 
+// The half-edges of a face that come near another one, with their sides. Returns false if it is
+// certain that the face does not reach the plane.
+bool sided_half_edges(const Workspace& w, int solid, FaceId face, FaceId other,
+                      std::vector<SidedHalfEdge>& out) {
+  const Patch& patch = w.patch[solid];
+  if (patch.unbounded) return true;
+  const Patch& others = w.patch[1 - solid];
+  const PlaneId plane = others.plane(other);
+  const auto side = [&](VertexId v) { return w.tests().side(patch.brep.point_of(v), plane); };
+  const Box everything{
+      {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
+       -std::numeric_limits<float>::infinity()},
+      {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
+       std::numeric_limits<float>::infinity()}};
+  const Box& near = others.unbounded ? everything : others.face_boxes[other.value()];
+  if (!near_half_edges(patch, face, near, out)) {
+    for (SidedHalfEdge& i : out) {
+      i.from = side(patch.brep.from(i.h));
+      i.to = side(patch.brep.to(i.h));
+    }
+    return true;
+  }
+  bool positive = false, negative = false, zero = false;
+  for (SidedHalfEdge& i : out) {
+    i.from = side(patch.brep.from(i.h));
+    (i.from == Sign::zero ? zero : i.from == Sign::positive ? positive : negative) = true;
+  }
+  // Loop by loop, each half-edge ends where the next begins.
+  for (std::size_t i = 0, first = 0; i < out.size(); ++i) {
+    const bool closes =
+        i + 1 == out.size() || patch.brep.loop_of(out[i].h) != patch.brep.loop_of(out[i + 1].h);
+    out[i].to = closes ? out[first].from : out[i + 1].from;
+    if (closes) first = i + 1;
+  }
+  return zero || (positive && negative);
+}
+
 struct PairOutput {
   std::vector<Hit> hits[2];
   std::vector<InPlane> in_plane[2];
   std::vector<std::pair<EdgeId, EdgeId>> flat_crossings;
   std::vector<PairOfFaces> pairs;
+  std::vector<SidedHalfEdge> meeting[2];
   std::vector<SidedHalfEdge> sided[2];  // scratch
   std::vector<Entity> found;            // scratch
 };
@@ -44,13 +83,26 @@ class PairTest {
     if (!sided_half_edges(w_, 0, a, b, sided[0]) || !sided_half_edges(w_, 1, b, a, sided[1]))
       return;
     const bool coplanar = kernel_.coplanar(w_.patch[0].plane(a), w_.patch[1].plane(b));
-    out_.pairs.push_back({{a, b}, coplanar});
+    add_pair(a, b, coplanar);
     pierce(0, a, b);
     pierce(1, b, a);
     if (coplanar) cross_flat_edges(a, b);
   }
 
  private:
+  void add_pair(FaceId a, FaceId b, bool coplanar) {
+    PairOfFaces pair{{a, b}, coplanar, {}, {}};
+    for (int s = 0; s < 2; ++s) {
+      auto& meeting = out_.meeting[s];
+      pair.first_sided[s] = static_cast<std::uint32_t>(meeting.size());
+      if (!coplanar)
+        std::copy_if(out_.sided[s].begin(), out_.sided[s].end(), std::back_inserter(meeting),
+                     [](const SidedHalfEdge& i) { return i.meets_plane(); });
+      pair.last_sided[s] = static_cast<std::uint32_t>(meeting.size());
+    }
+    out_.pairs.push_back(pair);
+  }
+
   // Edges and vertices that this face of solid s speaks for, against the other face.
   void pierce(int s, FaceId face, FaceId other) {
     const Patch& patch = w_.patch[s];
@@ -205,48 +257,17 @@ std::span<const Hit> ContactTable::find(int solid, Entity piercer, FaceId face) 
   return {at, end};
 }
 
-bool sided_half_edges(const Workspace& w, int solid, FaceId face, FaceId other,
-                      std::vector<SidedHalfEdge>& out) {
-  const Patch& patch = w.patch[solid];
-  if (patch.unbounded) return true;
-  const Patch& others = w.patch[1 - solid];
-  const PlaneId plane = others.plane(other);
-  const auto side = [&](VertexId v) { return w.tests().side(patch.brep.point_of(v), plane); };
-  const Box everything{
-      {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
-       -std::numeric_limits<float>::infinity()},
-      {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
-       std::numeric_limits<float>::infinity()}};
-  const Box& near = others.unbounded ? everything : others.face_boxes[other.value()];
-  if (!near_half_edges(patch, face, near, out)) {
-    for (SidedHalfEdge& i : out) {
-      i.from = side(patch.brep.from(i.h));
-      i.to = side(patch.brep.to(i.h));
-    }
-    return true;
-  }
-  bool positive = false, negative = false, zero = false;
-  for (SidedHalfEdge& i : out) {
-    i.from = side(patch.brep.from(i.h));
-    (i.from == Sign::zero ? zero : i.from == Sign::positive ? positive : negative) = true;
-  }
-  // Loop by loop, each half-edge ends where the next begins.
-  for (std::size_t i = 0, first = 0; i < out.size(); ++i) {
-    const bool closes =
-        i + 1 == out.size() || patch.brep.loop_of(out[i].h) != patch.brep.loop_of(out[i + 1].h);
-    out[i].to = closes ? out[first].from : out[i + 1].from;
-    if (closes) first = i + 1;
-  }
-  return zero || (positive && negative);
-}
-
 ContactTable find_contacts(Workspace& w, const FacePairs& candidates) {
   auto outputs = collect<PairOutput>(candidates.size(), 128, [&](std::size_t i, PairOutput& out) {
     PairTest(w, out)(candidates[i].first, candidates[i].second);
   });
   ContactTable table;
-  for (const PairOutput& out : outputs) {
+  for (PairOutput& out : outputs) {
     for (int s = 0; s < 2; ++s) {
+      for (PairOfFaces& pair : out.pairs)
+        for (auto* bound : {pair.first_sided, pair.last_sided})
+          bound[s] += static_cast<std::uint32_t>(table.sided[s].size());
+      append(table.sided[s], out.meeting[s]);
       append(table.hits[s], out.hits[s]);
       append(table.in_plane[s], out.in_plane[s]);
     }

@@ -23,6 +23,10 @@ class Noding {
 
   void split(const SegmentRecord& record, std::vector<SegmentRecord>& out) const {
     std::vector<std::uint32_t> inside = places_inside(record);
+    if (inside.empty()) {
+      out.push_back(record);
+      return;
+    }
     std::uint32_t from = record.place[0];
     Entity start[2] = {record.end[0][0], record.end[1][0]};
     inside.push_back(record.place[1]);

@@ -89,7 +89,6 @@ class CrossingFaces {
       int solid;
       HalfEdgeId h;
     };
-    std::vector<SidedHalfEdge> sided;
     std::vector<Item> items;
     std::vector<Point> points;
     std::vector<EdgeOnLine> edges_on_line;
@@ -124,15 +123,12 @@ class CrossingFaces {
   using EdgeOnLine = Scratch::EdgeOnLine;
 
   void gather(int s) {
-    scratch_.sided.clear();
-    sided_half_edges(w_, s, pair_.face[s], pair_.face[1 - s], scratch_.sided);
     const Brep& brep = w_.patch[s].brep;
-    for (const SidedHalfEdge& i : scratch_.sided) {
+    for (const SidedHalfEdge& i : table_.meeting(pair_, s)) {
       if (i.from == Sign::zero && i.to == Sign::zero) scratch_.edges_on_line.push_back({s, i.h});
-      if (i.from == Sign::zero)
-        add(s, table_.find(s, brep.from(i.h), pair_.face[1 - s]), i.h);
-      else if (i.from * i.to == Sign::negative)
-        add(s, table_.find(s, Brep::edge_of(i.h), pair_.face[1 - s]), i.h);
+      const Entity piercer =
+          i.from == Sign::zero ? Entity(brep.from(i.h)) : Entity(Brep::edge_of(i.h));
+      add(s, table_.find(s, piercer, pair_.face[1 - s]), i.h);
     }
   }
 
@@ -152,7 +148,8 @@ class CrossingFaces {
 
   // Groups the items by place, and puts the places in the order of the line; false for one place.
   bool find_points() {
-    auto& [sided, items, points, edges_on_line, bounds] = scratch_;
+    auto& items = scratch_.items;
+    auto& points = scratch_.points;
     std::sort(items.begin(), items.end());
     items.erase(std::unique(items.begin(), items.end()), items.end());
     points.clear();
