@@ -123,7 +123,25 @@ BoundedPoint Kernel::bounded(const Construction& how) const {
                                     [&](PlaneId s) -> const BoundedPlane& { return bounded(s); });
 }
 
+// A line along an axis meets a plane across that axis: nothing has to be computed.
+std::optional<Vec3> Kernel::along_axis(const Construction& how) const {
+  const PlaneValue& s = value(how.c);
+  if (!how.line_from.valid() || !s.exact) return std::nullopt;
+  Vec3 at = geometry_.position(how.line_from);
+  const Vec3& to = geometry_.position(how.line_to);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(s.n[axis]) != 1 || s.n[next_axis(axis)] != 0 || s.n[next_next_axis(axis)] != 0)
+      continue;
+    component(at, axis) = component(to, axis);
+    if (!(at == to)) return std::nullopt;
+    component(at, axis) = s.n[axis] > 0 ? 0 - s.d : 0 + s.d;  // no negative zeros
+    return at;
+  }
+  return std::nullopt;
+}
+
 ConstructedPoint Kernel::construct(const Construction& how) const {
+  if (const auto at = along_axis(how)) return {*at, true};
   const BoundedPoint near = bounded(how);
   const auto x = nearest_quotient(near.x[0], near.w), y = nearest_quotient(near.x[1], near.w),
              z = nearest_quotient(near.x[2], near.w);

@@ -6,7 +6,7 @@
 #pragma once
 
 #include <atomic>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "geometry/formulas.h"
@@ -92,6 +92,7 @@ class Kernel {
   ConstructedPoint construct(const Construction& how) const;
 
  private:
+  std::optional<Vec3> along_axis(const Construction& how) const;
   Sign exact_side(PointId point, PlaneId plane) const;
   // Component `largest` of normal(a) × normal(b), the largest one as far as doubles tell.
   Estimate estimated_cross(PlaneId a, PlaneId b, int& largest) const;
