@@ -23,8 +23,12 @@ double largest(const Vec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
+// Half an ulp of 1. A length within these bounds has a square that is a normal double.
+constexpr double unit = 0x1p-53, least_length = 0x1p-500, greatest_length = 0x1p500;
+
 // Collects directions. With an angle of at most 60 degrees between any two of them, every direction
-// between them is near the box of their unit vectors.
+// between them is near the box of their unit vectors. The bounds of rounding errors only make the
+// box wider; what boxes do not separate is tested exactly.
 class Directions {
  public:
   explicit Directions(const Vec3& centre) : centre_(centre) {}
@@ -32,13 +36,14 @@ class Directions {
   void add(const Vec3& p) {
     const Vec3 d{p.x - centre_.x, p.y - centre_.y, p.z - centre_.z};
     const double length = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
-    if (!(length > 1e-140 && length < 1e140)) {
+    if (!(length > least_length && length < greatest_length)) {
       known_ = false;
       return;
     }
     bounds_.add({d.x / length, d.y / length, d.z / length});
-    // Rounded positions and differences are off by an ulp or two.
-    error_ = std::max(error_, 1e-15 * (largest(p) + largest(centre_)) / length);
+    // On each axis two rounded positions and their difference: 2 u (|p| + |c|). That makes less
+    // than 4 u (|p| + |c|) for the vector, and twice its share of the length for the direction.
+    error_ = std::max(error_, 8 * unit * (largest(p) + largest(centre_)) / length);
   }
 
   Box box() const {
@@ -48,8 +53,9 @@ class Directions {
     const double spread = size.x * size.x + size.y * size.y + size.z * size.z + 8 * error_;
     if (!(spread <= 1)) return everything;
     // A sum of unit vectors that are `sqrt(spread)` apart at most, with weights that add up to one,
-    // is longer than sqrt(1 - spread / 2).
-    const double margin = spread / 2 + 2 * error_ + 1e-12;
+    // is longer than sqrt(1 - spread / 2), and that than 1 - spread / 2. Square root, quotients and
+    // these sums are rounded less than 16 times.
+    const double margin = spread / 2 + 2 * error_ + 16 * unit;
     Bounds wider;
     wider.add({bounds_.low.x - margin, bounds_.low.y - margin, bounds_.low.z - margin});
     wider.add({bounds_.high.x + margin, bounds_.high.y + margin, bounds_.high.z + margin});
