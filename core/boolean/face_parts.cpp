@@ -6,6 +6,7 @@
 #include "boolean/ray_count.h"
 #include "boolean/reduction/standing.h"
 #include "geometry/axes.h"
+#include "numbers/rounding.h"
 #include "sectile/errors.h"
 #include "topology/euler.h"
 
@@ -28,7 +29,7 @@ Estimate estimated_area(const Geometry& g, const std::vector<PointId>& loop, int
     last_i = di;
     last_j = dj;
   }
-  constexpr double unit = 0x1p-53;
+  using rounding::unit;
   const auto count = static_cast<double>(loop.size());
   const double error = 16 * count * unit *
                            (count * extent_i * extent_j + size_i * extent_j + size_j * extent_i +

@@ -5,14 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "numbers/rounding.h"
 
 namespace sectile {
 namespace {
 
-// Half an ulp, the smallest positive double, and bounds for counted roundings (rounded up amply).
-constexpr double unit = 0x1p-53;
-constexpr double smallest = std::numeric_limits<double>::denorm_min();
+// Bounds are for counted roundings, rounded up amply.
+using rounding::smallest;
+using rounding::unit;
 
 template <class Value>
 const Value& publish(std::atomic<const Value*>& slot, Value&& value) {

@@ -8,13 +8,14 @@
 #include "geometry/axes.h"
 #include "geometry/formulas.h"
 #include "numbers/dyadic.h"
+#include "numbers/rounding.h"
 
 namespace sectile {
 namespace {
 
-// Half an ulp, the smallest positive double, and bounds for counted roundings (rounded up amply).
-constexpr double unit = 0x1p-53;
-constexpr double smallest = std::numeric_limits<double>::denorm_min();
+// Bounds are for counted roundings, rounded up amply.
+using rounding::smallest;
+using rounding::unit;
 
 // Exact if all coordinates are multiples of one unit and below 2^16 of it: then differences have 17
 // bits, normals 35, and offsets 53.

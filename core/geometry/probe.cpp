@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "numbers/rounding.h"
+
 namespace sectile {
 
 const BoundedPoint& Probe::bounded() const {
@@ -25,10 +27,10 @@ Sign Probe::side(PlaneId plane) const {
   const Estimate &s = at_from_, &t = at_to_;
   const double left = u.value * t.value, right = v.value * s.value;
   const double error =
-      4 * 0x1p-53 * (std::abs(left) + std::abs(right)) +
+      4 * rounding::unit * (std::abs(left) + std::abs(right)) +
       2 * (std::abs(u.value) * t.error + std::abs(t.value) * u.error + u.error * t.error +
            std::abs(v.value) * s.error + std::abs(s.value) * v.error + s.error * v.error) +
-      8 * 4.9406564584124654e-324;
+      8 * rounding::smallest;
   const Estimate crossing{left - right, error};
   if (crossing.decided()) return crossing.sign() * to_side_;
   const Bounded near = value_at(kernel_.bounded(plane), bounded());

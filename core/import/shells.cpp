@@ -6,6 +6,7 @@
 
 #include "import/nesting.h"
 #include "numbers/dyadic.h"
+#include "numbers/rounding.h"
 #include "search/box.h"
 #include "sectile/errors.h"
 
@@ -98,7 +99,8 @@ class ShellVolumes {
       Enclosed& v = volumes_[i];
       const Vec3 &low = v.bounds.low, &high = v.bounds.high;
       const double reach = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-      const double error = 0x1p-50 * v.terms * (v.size + reach * reach * reach) + 0x1p-1000;
+      const double error =
+          8 * rounding::unit * v.terms * (v.size + reach * reach * reach) + 0x1p-1000;
       if (std::abs(v.sum) > error)
         v.sign = sign_of(v.sum);
       else

@@ -4,9 +4,9 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "numbers/rounding.h"
 #include "numbers/sign.h"
 
 namespace sectile {
@@ -83,8 +83,7 @@ class Bounded {
   }
 
  private:
-  static constexpr double unit = 0x1p-53;
-  static constexpr double smallest = std::numeric_limits<double>::denorm_min();
+  static constexpr double unit = rounding::unit, smallest = rounding::smallest;
 
   Bounded(double high, double low, double error) : high_(high), low_(low), error_(error) {}
 

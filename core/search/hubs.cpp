@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "numbers/rounding.h"
+
 namespace sectile {
 namespace {
 
@@ -23,8 +25,10 @@ double largest(const Vec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-// Half an ulp of 1. A length within these bounds has a square that is a normal double.
-constexpr double unit = 0x1p-53, least_length = 0x1p-500, greatest_length = 0x1p500;
+using rounding::unit;
+
+// A length within these bounds has a square that is a normal double.
+constexpr double least_length = 0x1p-500, greatest_length = 0x1p500;
 
 // Collects directions. With an angle of at most 60 degrees between any two of them, every direction
 // between them is near the box of their unit vectors. The bounds of rounding errors only make the

@@ -7,6 +7,7 @@
 
 #include "boolean/run.h"
 #include "import/soup.h"
+#include "numbers/rounding.h"
 #include "sectile/boolean.h"
 #include "sectile/errors.h"
 
@@ -36,7 +37,7 @@ class MeetsPlane {
       high += std::max(p, q);
       size += std::max(std::abs(p), std::abs(q));
     }
-    const double margin = 0x1p-48 * size + 0x1p-1060;
+    const double margin = 16 * rounding::unit * size + 16 * rounding::smallest;
     return !(low > margin) && !(high < -margin);
   }
 
