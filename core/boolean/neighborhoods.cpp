@@ -192,9 +192,15 @@ class SegmentBuilder {
   }
 
   void cut_between_classes() {
-    for (const HalfPlane& h : half_planes())
-      for (const HalfPlane& g : half_planes())
-        if (g.carrier == h.carrier && g.cls != h.cls) w_.carriers[h.carrier].cut = true;
+    partner_.assign(segment_.carrier_count, no_element);
+    const auto planes = half_planes();
+    for (std::uint32_t i = 0; i < planes.size(); ++i) {
+      std::uint32_t& other_side = partner_[planes[i].carrier - segment_.first_carrier];
+      if (other_side == no_element)
+        other_side = i;
+      else if (planes[other_side].cls != planes[i].cls)
+        w_.carriers[planes[i].carrier].cut = true;
+    }
   }
 
   Workspace& w_;

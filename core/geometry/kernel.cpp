@@ -114,11 +114,6 @@ const BoundedPlane& Kernel::bounded(PlaneId s) const {
                                : plane_of<Bounded>(geometry_, s));
 }
 
-BoundedPoint Kernel::bounded(PointId p) const {
-  return geometry_.is_explicit(p) ? point_of<Bounded>(geometry_.position(p))
-                                  : bounded(geometry_.construction(p));
-}
-
 BoundedPoint Kernel::bounded(const Construction& how) const {
   return constructed_point<Bounded>(geometry_, how,
                                     [&](PlaneId s) -> const BoundedPlane& { return bounded(s); });

@@ -87,7 +87,6 @@ class Kernel {
   const ExactPoint& exact(PointId p) const;
   ExactPoint exact(const Construction& how) const;
   const BoundedPlane& bounded(PlaneId s) const;
-  BoundedPoint bounded(PointId p) const;
   BoundedPoint bounded(const Construction& how) const;
   ConstructedPoint construct(const Construction& how) const;
 

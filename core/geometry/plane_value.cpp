@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 
 #include "geometry/axes.h"
@@ -68,6 +69,16 @@ PlaneValue with_offset(PlaneValue value, const Vec3& a) {
   return value;
 }
 
+PlaneValue exact_if_short(PlaneValue value, std::initializer_list<Vec3> points) {
+  BitRange bits;
+  for (const Vec3& p : points) bits.add(p);
+  if (bits.small()) {
+    value.n_error = value.d_error = 0;
+    value.exact = true;
+  }
+  return value;
+}
+
 PlaneValue through_points(const Vec3& a, const Vec3& b, const Vec3& c) {
   PlaneValue value{};
   if (axis_parallel(a, b, c, value)) return value;
@@ -81,16 +92,7 @@ PlaneValue through_points(const Vec3& a, const Vec3& b, const Vec3& c) {
     sum = std::max(sum, std::abs(left) + std::abs(right));
   }
   value.n_error = 8 * unit * sum + 4 * smallest;
-  value = with_offset(value, a);
-  BitRange bits;
-  bits.add(a);
-  bits.add(b);
-  bits.add(c);
-  if (bits.small()) {
-    value.n_error = value.d_error = 0;
-    value.exact = true;
-  }
-  return value;
+  return exact_if_short(with_offset(value, a), {a, b, c});
 }
 
 PlaneValue along_axis(const Vec3& a, const Vec3& b, int axis) {
@@ -101,15 +103,7 @@ PlaneValue along_axis(const Vec3& a, const Vec3& b, int axis) {
   value.n[i] = u[j];
   value.n[j] = -u[i];
   value.n_error = 2 * unit * (std::abs(u[i]) + std::abs(u[j])) + smallest;
-  value = with_offset(value, a);
-  BitRange bits;
-  bits.add(a);
-  bits.add(b);
-  if (bits.small()) {
-    value.n_error = value.d_error = 0;
-    value.exact = true;
-  }
-  return value;
+  return exact_if_short(with_offset(value, a), {a, b});
 }
 
 }  // namespace

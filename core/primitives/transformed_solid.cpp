@@ -27,9 +27,8 @@ bool map_plane(const PlaneDefinition& from, const ExactAffine& affine, PlaneDefi
     return true;
   }
   if (from.kind() == PlaneDefinition::Kind::coefficients) return true;
-  const int axis = static_cast<int>(from.kind()) - static_cast<int>(PlaneDefinition::Kind::along_x);
   bool reversed = false;
-  const int image = affine.axis_image(axis, reversed);
+  const int image = affine.axis_image(axis_of(from.kind()), reversed);
   if (image < 0) return false;
   PointId a(from.a), b(from.b);
   if (reversed != mirrored) std::swap(a, b);

@@ -25,6 +25,11 @@ struct Box {
   float high[3] = {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
                    -std::numeric_limits<float>::infinity()};
 
+  static Box everything() {
+    constexpr float all = std::numeric_limits<float>::infinity();
+    return {{-all, -all, -all}, {all, all, all}};
+  }
+
   void add(const Box& other) {
     for (int k = 0; k < 3; ++k) {
       low[k] = std::min(low[k], other.low[k]);

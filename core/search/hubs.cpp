@@ -15,12 +15,6 @@ std::vector<std::uint32_t> corners_at_points(const Brep& brep) {
   return count;
 }
 
-const Box everything{
-    {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
-     -std::numeric_limits<float>::infinity()},
-    {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
-     std::numeric_limits<float>::infinity()}};
-
 double largest(const Vec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
@@ -51,11 +45,11 @@ class Directions {
   }
 
   Box box() const {
-    if (!known_) return everything;
+    if (!known_) return Box::everything();
     const Vec3 size{bounds_.high.x - bounds_.low.x, bounds_.high.y - bounds_.low.y,
                     bounds_.high.z - bounds_.low.z};
     const double spread = size.x * size.x + size.y * size.y + size.z * size.z + 8 * error_;
-    if (!(spread <= 1)) return everything;
+    if (!(spread <= 1)) return Box::everything();
     // A sum of unit vectors that are `sqrt(spread)` apart at most, with weights that add up to one,
     // is longer than sqrt(1 - spread / 2), and that than 1 - spread / 2. Square root, quotients and
     // these sums are rounded less than 16 times.

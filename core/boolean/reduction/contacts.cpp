@@ -34,12 +34,7 @@ bool sided_half_edges(const Workspace& w, int solid, FaceId face, FaceId other,
   const Patch& others = w.patch[1 - solid];
   const PlaneId plane = others.plane(other);
   const auto side = [&](VertexId v) { return w.tests().side(patch.brep.point_of(v), plane); };
-  const Box everything{
-      {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
-       -std::numeric_limits<float>::infinity()},
-      {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
-       std::numeric_limits<float>::infinity()}};
-  const Box& near = others.unbounded ? everything : others.face_boxes[other.value()];
+  const Box near = others.unbounded ? Box::everything() : others.face_boxes[other.value()];
   if (!near_half_edges(patch, face, near, out)) {
     for (SidedHalfEdge& i : out) {
       i.from = side(patch.brep.from(i.h));
