@@ -1,6 +1,7 @@
 #include "boolean/neighborhoods.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "boolean/line.h"
 #include "boolean/tables.h"
@@ -12,7 +13,12 @@ namespace {
 class SegmentBuilder {
  public:
   SegmentBuilder(Workspace& w, std::span<const Operation> wanted)
-      : w_(w), kernel_(w.tests()), wanted_(wanted) {}
+      : w_(w), kernel_(w.tests()), wanted_(wanted) {
+    for (int s = 0; s < 2; ++s) {
+      last_with_face_[s].resize(w.patch[s].brep.face_count());
+      last_with_edge_[s].resize(w.patch[s].brep.edge_count());
+    }
+  }
 
   void operator()(std::span<const SegmentRecord> records) {
     segment_ = {};
@@ -40,8 +46,9 @@ class SegmentBuilder {
   }
 
   void add_carrier(std::uint8_t s, const SegmentRecord& r) {
-    for (const Carrier& c : carriers())
-      if (c.solid == s && c.entity == r.on[s]) return;
+    auto& last_with = r.on[s].is_edge() ? last_with_edge_[s] : last_with_face_[s];
+    const auto number = static_cast<std::uint32_t>(w_.segments.size() + 1);
+    if (std::exchange(last_with[r.on[s].index()], number) == number) return;
     Carrier carrier{};
     carrier.solid = s;
     carrier.entity = r.on[s];
@@ -212,6 +219,8 @@ class SegmentBuilder {
     HalfPlane half_plane;
   };
   std::vector<Keyed> keyed_;
+  // Per face and edge of each patch: the last segment that it carries, counted from 1.
+  std::vector<std::uint32_t> last_with_face_[2], last_with_edge_[2];
   std::vector<std::uint32_t> kept_planes_, partner_;
   int axis_ = -1;
   Sign line_ = Sign::zero;
