@@ -67,7 +67,7 @@ Solid assemble(Workspace& w, Operation operation, std::size_t index) {
   step(w, 0.9);
   clean_up(glued);
   if (w.options.validate)
-    if (const auto found = broken_links(glued.data->brep, false); !found.empty())
+    if (const auto found = broken_links(glued.data->brep(), false); !found.empty())
       throw InternalError("the result is not legal: " + found.front());
   Solid result(std::shared_ptr<const SolidData>(std::move(glued.data)));
   if (w.options.observer) report_cleanup(w, result);

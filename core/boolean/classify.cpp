@@ -69,7 +69,7 @@ SurfacePart collect_part(const Workspace& w, const FaceLabels& labels, int s, st
   for (std::size_t f = 0; f < labels.loaded[s].size(); ++f)
     if (labels.loaded[s][f] == label) loaded.add(FaceId(f));
   if (labels.rest[s].empty()) return part;
-  PartBuilder rest(patch.solid->brep, patch.solid->geometry, part);
+  PartBuilder rest(patch.solid->brep(), patch.solid->geometry(), part);
   for (std::size_t f = 0; f < labels.rest[s].size(); ++f)
     if (labels.rest[s][f] == label) rest.add(FaceId(f));
   return part;
@@ -83,8 +83,8 @@ std::uint8_t label(Class c) {
 SurfacePart whole_boundary(const Solid& solid) {
   SurfacePart part;
   if (solid.is_empty()) return part;
-  PartBuilder builder(solid.data()->brep, solid.data()->geometry, part);
-  for (std::size_t f = 0; f < solid.data()->brep.face_count(); ++f) builder.add(FaceId(f));
+  PartBuilder builder(solid.data()->brep(), solid.data()->geometry(), part);
+  for (std::size_t f = 0; f < solid.data()->brep().face_count(); ++f) builder.add(FaceId(f));
   return part;
 }
 

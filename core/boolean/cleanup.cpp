@@ -12,8 +12,8 @@ namespace {
 class Cleaner {
  public:
   explicit Cleaner(Glued& glued)
-      : brep_(glued.data->brep),
-        geometry_(glued.data->geometry),
+      : brep_(glued.data->brep()),
+        geometry_(glued.data->geometry()),
         seams_(glued.seams),
         euler_(brep_) {}
 

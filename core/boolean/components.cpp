@@ -38,7 +38,7 @@ class Spreading {
   }
 
  private:
-  const Brep& solid() const { return patch_.solid->brep; }
+  const Brep& solid() const { return patch_.solid->brep(); }
 
   void find_rest() {
     rest_.assign(solid().face_count(), unknown);
@@ -139,7 +139,7 @@ class Spreading {
       if (rest_[f] != unknown || is_loaded_[f]) continue;
       const HalfEdgeId h = solid().loop_half_edge[solid().outer_loop[f].value()];
       const PointId p =
-          load_point(patch_.solid->geometry, solid().point_of(solid().from(h)), w_.geometry);
+          load_point(patch_.solid->geometry(), solid().point_of(solid().from(h)), w_.geometry);
       w_.kernel->refresh();
       set_rest(FaceId(f), label_of(p));
       spread();
@@ -169,7 +169,7 @@ class Spreading {
           const HalfEdgeId there = patch_.half_edge_in_solid[Brep::twin(h).value()];
           const HalfEdgeId across = solid().prev_of(there);
           if (!found.valid())
-            found = load_point(patch_.solid->geometry, solid().point_of(solid().from(across)),
+            found = load_point(patch_.solid->geometry(), solid().point_of(solid().from(across)),
                                w_.geometry);
         } else if (patch_.is_real(beyond) && !seen[beyond.value()]) {
           seen[beyond.value()] = 1;

@@ -24,15 +24,15 @@ class Assembly {
         operation_(operation),
         kept_(kept),
         glued_{std::make_shared<SolidData>(), {}},
-        brep_(glued_.data->brep),
-        local_(w.geometry, glued_.data->geometry) {
+        brep_(glued_.data->brep()),
+        local_(w.geometry, glued_.data->geometry()) {
     for (int s = 0; s < 2; ++s) {
       const Patch& patch = w.patch[s];
       partner_[s].resize(patch.brep.half_edge_count(), {0, true, HalfEdgeId()});
       new_loaded_[s].resize(patch.brep.half_edge_count());
       if (kept.rest[s].empty()) continue;
-      new_rest_[s].resize(patch.solid->brep.half_edge_count());
-      rest_[s].emplace(patch.solid->geometry, glued_.data->geometry);
+      new_rest_[s].resize(patch.solid->brep().half_edge_count());
+      rest_[s].emplace(patch.solid->geometry(), glued_.data->geometry());
     }
     for (const WedgePair& pair : wedges) set_partners(pair);
   }
@@ -69,7 +69,7 @@ class Assembly {
   }
 
   const Brep& source(int s, bool loaded) const {
-    return loaded ? w_.patch[s].brep : w_.patch[s].solid->brep;
+    return loaded ? w_.patch[s].brep : w_.patch[s].solid->brep();
   }
 
   // The half-edge of a kept face that borders a side of a carrier.

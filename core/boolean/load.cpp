@@ -76,11 +76,11 @@ class CommonHubs {
 
   const Hubs& hubs(int s) const { return data_[s]->tree().hubs(); }
   PointId point(const Hub& h) const { return hubs(h.solid).point(h.number); }
-  const Vec3& position(const Hub& h) const { return data_[h.solid]->geometry.position(point(h)); }
+  const Vec3& position(const Hub& h) const { return data_[h.solid]->geometry().position(point(h)); }
   std::uint32_t& place_of(const Hub& h) { return place_[h.solid][h.number]; }
   std::uint32_t place_of(const Hub& h) const { return place_[h.solid][h.number]; }
   bool are_at_one_place(const Hub& g, const Hub& h) const {
-    return same_point(data_[g.solid]->geometry, point(g), data_[h.solid]->geometry, point(h));
+    return same_point(data_[g.solid]->geometry(), point(g), data_[h.solid]->geometry(), point(h));
   }
 
   template <class Visit>
@@ -93,7 +93,7 @@ class CommonHubs {
         const SolidData& data = *data_[h.solid];
         Fan& mine = fan[h.solid];
         mine.faces.insert(mine.faces.end(), faces.begin(), faces.end());
-        append(mine.directions, direction_boxes(data.brep, data.geometry, point(h), faces));
+        append(mine.directions, direction_boxes(data.brep(), data.geometry(), point(h), faces));
       }
       if (!fan[0].faces.empty() && !fan[1].faces.empty())
         visit(fan[0], fan[1], position(order_[from]));

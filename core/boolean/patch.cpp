@@ -90,8 +90,8 @@ void append_geometry(const Geometry& from, Geometry& to, std::uint32_t& points,
 Patch load_whole(const SolidData& solid, Geometry& geometry) {
   Patch patch;
   std::uint32_t points, planes;
-  append_geometry(solid.geometry, geometry, points, planes);
-  patch.brep = solid.brep;
+  append_geometry(solid.geometry(), geometry, points, planes);
+  patch.brep = solid.brep();
   for (PlaneId& s : patch.brep.plane) s = PlaneId(s.value() + planes);
   for (PlaneId& s : patch.brep.edge_plane)
     if (s.valid()) s = PlaneId(s.value() + planes);
@@ -108,9 +108,9 @@ Patch load_whole(const SolidData& solid, Geometry& geometry) {
 class PartLoader {
  public:
   PartLoader(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry)
-      : from_(solid.brep),
+      : from_(solid.brep()),
         edges_(3 * faces.size()),
-        geometry_(solid.geometry, geometry, 3 * faces.size()) {
+        geometry_(solid.geometry(), geometry, 3 * faces.size()) {
     for (const FaceId f : faces) load_face(f);
     close_open_ends();
     make_vertices();
@@ -238,7 +238,7 @@ class PartLoader {
 }  // namespace
 
 Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry) {
-  Patch patch = 2 * faces.size() >= solid.brep.face_count()
+  Patch patch = 2 * faces.size() >= solid.brep().face_count()
                     ? load_whole(solid, geometry)
                     : PartLoader(solid, faces, geometry).take();
   patch.solid = &solid;

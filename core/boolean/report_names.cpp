@@ -14,18 +14,18 @@ Id<Tag> in_operand(Id<Tag> id, const std::vector<Id<Tag>>& known, std::size_t lo
 
 FaceId in_operand(const Patch& patch, FaceId f) {
   if (!patch.solid) return f;
-  return in_operand(f, patch.face_in_solid, patch.loaded_faces, patch.solid->brep.face_count());
+  return in_operand(f, patch.face_in_solid, patch.loaded_faces, patch.solid->brep().face_count());
 }
 
 EdgeId in_operand(const Patch& patch, EdgeId e) {
   if (!patch.solid) return e;
-  return in_operand(e, patch.edge_in_solid, patch.loaded_edges, patch.solid->brep.edge_count());
+  return in_operand(e, patch.edge_in_solid, patch.loaded_edges, patch.solid->brep().edge_count());
 }
 
 VertexId in_operand(const Patch& patch, VertexId v) {
   if (!patch.solid) return v;
   return in_operand(v, patch.vertex_in_solid, patch.loaded_vertices,
-                    patch.solid->brep.vertex_count());
+                    patch.solid->brep().vertex_count());
 }
 
 Entity in_operand(const Patch& patch, Entity entity) {

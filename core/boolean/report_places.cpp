@@ -36,8 +36,8 @@ class SectorCollector {
  public:
   SectorCollector(const Workspace& w, int s, std::vector<TraceSector>& sectors)
       : patch_(w.patch[s]),
-        brep_(patch_.solid ? patch_.solid->brep : patch_.brep),
-        geometry_(patch_.solid ? patch_.solid->geometry : w.geometry),
+        brep_(patch_.solid ? patch_.solid->brep() : patch_.brep),
+        geometry_(patch_.solid ? patch_.solid->geometry() : w.geometry),
         solid_(static_cast<std::uint8_t>(s)),
         sectors_(sectors) {}
 

@@ -14,7 +14,7 @@ namespace {
 class Validator {
  public:
   explicit Validator(const SolidData& data)
-      : data_(data), brep_(data.brep), kernel_(data.geometry) {}
+      : data_(data), brep_(data.brep()), kernel_(data.geometry()) {}
 
   std::vector<Violation> run(bool geometry) {
     for (const std::string& what : broken_links(brep_, false)) found_.push_back({what, {}});
@@ -27,7 +27,7 @@ class Validator {
 
  private:
   const Vec3& position(HalfEdgeId h) const {
-    return data_.geometry.position(brep_.point_of(brep_.from(h)));
+    return data_.geometry().position(brep_.point_of(brep_.from(h)));
   }
   template <class Id>
   void report(Id id, const std::string& what, const Vec3& where) {

@@ -138,15 +138,15 @@ namespace {
 std::shared_ptr<const SolidData> import_view(const SoupView& soup) {
   auto data = std::make_shared<SolidData>();
   std::vector<std::uint32_t> input_vertex;
-  Polygons polygons = read_polygons(soup, data->geometry, input_vertex);
-  Kernel kernel(data->geometry);
+  Polygons polygons = read_polygons(soup, data->geometry(), input_vertex);
+  Kernel kernel(data->geometry());
   remove_flat_faces(polygons, kernel);
-  find_face_planes(polygons, data->geometry, kernel);
+  find_face_planes(polygons, data->geometry(), kernel);
   if (polygons.face_count() == 0) return std::make_shared<SolidData>();
   const std::vector<std::uint32_t> mate = match_edges(polygons, kernel, input_vertex);
   data->origin = new_origin();
-  BrepBuilder(polygons, mate, data->brep).run(data->origin);
-  pin_flat_edges(data->brep, data->geometry, kernel);
+  BrepBuilder(polygons, mate, data->brep()).run(data->origin);
+  pin_flat_edges(data->brep(), data->geometry(), kernel);
   check_orientation(*data, kernel);
   return data;
 }

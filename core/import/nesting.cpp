@@ -34,7 +34,7 @@ class LineThroughFace {
   std::array<PointId, 3> first_triangle() const {
     std::vector<PointId> corners;
     std::vector<std::uint32_t> loop_ends;
-    const Brep& brep = data_.brep;
+    const Brep& brep = data_.brep();
     for (LoopId l = brep.outer_loop[face_.value()]; l.valid(); l = brep.next_loop[l.value()]) {
       for_each_in_loop(brep, l,
                        [&](HalfEdgeId h) { corners.push_back(brep.point_of(brep.from(h))); });
@@ -63,7 +63,7 @@ class LineThroughFace {
     point_.w = Dyadic(double(n) * n);
   }
   double coordinate(PointId p, std::size_t axis) const {
-    const Vec3& v = data_.geometry.position(p);
+    const Vec3& v = data_.geometry().position(p);
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
   }
 
@@ -87,15 +87,15 @@ class LineThroughFace {
       const std::optional<bool> met = meets(f);
       if (!met) return {};
       if (!*met) continue;
-      const PlaneId plane = data_.brep.plane[f.value()];
+      const PlaneId plane = data_.brep().plane[f.value()];
       const Sign normal = kernel_.normal(plane, 0), side = side_of(plane);
       if (side == Sign::zero) {
-        if (kernel_.parallel(plane, data_.brep.plane[face_.value()])) refuse(f);
+        if (kernel_.parallel(plane, data_.brep().plane[face_.value()])) refuse(f);
         return {};
       }
       if (side != normal) beyond += normal == Sign::positive ? 1 : -1;
     }
-    const bool faces_on = kernel_.normal(data_.brep.plane[face_.value()], 0) == Sign::positive;
+    const bool faces_on = kernel_.normal(data_.brep().plane[face_.value()], 0) == Sign::positive;
     return faces_on ? beyond : beyond - 1;
   }
 
@@ -104,9 +104,9 @@ class LineThroughFace {
   // Does the line go through the face? Nothing if it meets an edge of it.
   std::optional<bool> meets(FaceId f) const {
     bool odd = false, on_edge = false;
-    for_each_in_face(data_.brep, f, [&](HalfEdgeId h) {
-      const PointId u = data_.brep.point_of(data_.brep.from(h)),
-                    v = data_.brep.point_of(data_.brep.to(h));
+    for_each_in_face(data_.brep(), f, [&](HalfEdgeId h) {
+      const PointId u = data_.brep().point_of(data_.brep().from(h)),
+                    v = data_.brep().point_of(data_.brep().to(h));
       const Dyadic uy(coordinate(u, 1)), vy(coordinate(v, 1)), uz(coordinate(u, 2)),
           vz(coordinate(v, 2));
       const Dyadic from_u = point_.x[1] - uy * point_.w, from_v = point_.x[1] - vy * point_.w;
@@ -122,8 +122,8 @@ class LineThroughFace {
   }
 
   [[noreturn]] void refuse(FaceId other) const {
-    const std::uint32_t f = data_.brep.source[face_.value()].face,
-                        g = data_.brep.source[other.value()].face;
+    const std::uint32_t f = data_.brep().source[face_.value()].face,
+                        g = data_.brep().source[other.value()].face;
     throw InvalidSolid(InvalidSolid::Reason::self_intersecting,
                        "faces " + std::to_string(f) + " and " + std::to_string(g) +
                            " lie on each other; remove them where they do, or make two solids and "

@@ -133,8 +133,8 @@ class ShellVolumes {
 // A face of the shell that is not parallel to the x axis.
 FaceId oblique_face(const SolidData& data, const Kernel& kernel, const Shells& shells,
                     std::uint32_t shell, std::uint32_t first) {
-  for (std::size_t f = first; f < data.brep.face_count(); ++f)
-    if (shells.of_face[f] == shell && kernel.normal(data.brep.plane[f], 0) != Sign::zero)
+  for (std::size_t f = first; f < data.brep().face_count(); ++f)
+    if (shells.of_face[f] == shell && kernel.normal(data.brep().plane[f], 0) != Sign::zero)
       return FaceId(f);
   throw InternalError("a shell has no extent in the plane across an axis");
 }
@@ -149,10 +149,10 @@ void refuse_inside_out(std::uint32_t face) {
 }  // namespace
 
 void check_orientation(const SolidData& data, const Kernel& kernel) {
-  const Shells shells = find_shells(data.brep);
-  const std::vector<Enclosed> volumes = ShellVolumes(data.brep, data.geometry, shells).run();
+  const Shells shells = find_shells(data.brep());
+  const std::vector<Enclosed> volumes = ShellVolumes(data.brep(), data.geometry(), shells).run();
   for (const Enclosed& v : volumes) {
-    const std::uint32_t face = data.brep.source[v.face].face;
+    const std::uint32_t face = data.brep().source[v.face].face;
     if (v.sign == Sign::zero)
       throw InvalidSolid(
           InvalidSolid::Reason::self_intersecting,
@@ -161,7 +161,7 @@ void check_orientation(const SolidData& data, const Kernel& kernel) {
   }
   if (shells.count == 1) return;
   for (std::uint32_t s = 0; s < shells.count; ++s) {
-    const std::uint32_t first = volumes[s].face, face = data.brep.source[first].face;
+    const std::uint32_t first = volumes[s].face, face = data.brep().source[first].face;
     const int material =
         material_outside(data, kernel, oblique_face(data, kernel, shells, s, first));
     if (material < 0) refuse_inside_out(face);

@@ -23,7 +23,7 @@ Solid Solid::from_mesh(const PolygonMesh& mesh) {
 }
 
 bool Solid::is_empty() const {
-  return !data_ || data_->brep.face_count() == 0;
+  return !data_ || data_->brep().face_count() == 0;
 }
 
 std::uint32_t Solid::origin() const {
@@ -59,9 +59,9 @@ double dot(const Vec3& a, const Vec3& b) {
 // Calls visit(a, b, c) for the triangles of a fan of each loop, around the loop's first corner.
 template <class Visit>
 void for_each_fan(const SolidData& data, FaceId f, const Visit& visit) {
-  const Brep& brep = data.brep;
+  const Brep& brep = data.brep();
   const auto position = [&](HalfEdgeId h) -> const Vec3& {
-    return data.geometry.position(brep.point_of(brep.from(h)));
+    return data.geometry().position(brep.point_of(brep.from(h)));
   };
   for (LoopId l = brep.outer_loop[f.value()]; l.valid(); l = brep.next_loop[l.value()]) {
     const HalfEdgeId first = brep.loop_half_edge[l.value()];
@@ -75,8 +75,8 @@ void for_each_fan(const SolidData& data, FaceId f, const Visit& visit) {
 double Solid::volume() const {
   if (is_empty()) return 0;
   Sum sum;
-  const Vec3 origin = data_->geometry.position(data_->brep.point[0]);
-  for (std::size_t f = 0; f < data_->brep.face_count(); ++f)
+  const Vec3 origin = data_->geometry().position(data_->brep().point[0]);
+  for (std::size_t f = 0; f < data_->brep().face_count(); ++f)
     for_each_fan(*data_, FaceId(f), [&](const Vec3& a, const Vec3& b, const Vec3& c) {
       sum.add(dot(minus(a, origin), cross(minus(b, origin), minus(c, origin))));
     });
@@ -86,7 +86,7 @@ double Solid::volume() const {
 double Solid::area() const {
   if (is_empty()) return 0;
   Sum sum;
-  for (std::size_t f = 0; f < data_->brep.face_count(); ++f) {
+  for (std::size_t f = 0; f < data_->brep().face_count(); ++f) {
     Sum x, y, z;
     for_each_fan(*data_, FaceId(f), [&](const Vec3& a, const Vec3& b, const Vec3& c) {
       const Vec3 n = cross(minus(b, a), minus(c, a));
@@ -102,7 +102,7 @@ double Solid::area() const {
 SolidCounts Solid::counts() const {
   SolidCounts counts;
   if (is_empty()) return counts;
-  const Brep& brep = data_->brep;
+  const Brep& brep = data_->brep();
   counts.vertices = brep.vertex_count();
   counts.edges = brep.edge_count();
   counts.faces = brep.face_count();
@@ -125,8 +125,8 @@ PolygonMesh Solid::to_mesh(std::vector<FaceSource>& sources) const {
   PolygonMesh mesh;
   sources.clear();
   if (is_empty()) return mesh;
-  const Brep& brep = data_->brep;
-  const Geometry& geometry = data_->geometry;
+  const Brep& brep = data_->brep();
+  const Geometry& geometry = data_->geometry();
   std::vector<std::uint32_t> number(geometry.positions.size(), 0xFFFFFFFFu);
   const auto vertex = [&](PointId p) {
     std::uint32_t& n = number[p.value()];

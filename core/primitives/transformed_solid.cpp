@@ -68,14 +68,14 @@ void reverse_faces(Brep& brep) {
 /// The image with nothing rounded, or nothing.
 std::shared_ptr<const SolidData> exact_image(const SolidData& data, const ExactAffine& affine) {
   auto image = std::make_shared<SolidData>();
-  image->geometry = data.geometry;
-  if (!map_points(data.geometry, affine, image->geometry)) return nullptr;
-  if (!map_planes(data.geometry, affine, image->geometry)) return nullptr;
-  if (!data.geometry.constructions.empty() && !round_implicit_points(image->geometry))
+  image->geometry() = data.geometry();
+  if (!map_points(data.geometry(), affine, image->geometry())) return nullptr;
+  if (!map_planes(data.geometry(), affine, image->geometry())) return nullptr;
+  if (!data.geometry().constructions.empty() && !round_implicit_points(image->geometry()))
     return nullptr;
-  image->brep = data.brep;
+  image->brep() = data.brep();
   image->origin = data.origin;
-  if (affine.mirrors()) reverse_faces(image->brep);
+  if (affine.mirrors()) reverse_faces(image->brep());
   return image;
 }
 
@@ -89,12 +89,12 @@ void add_loop(const Brep& brep, LoopId loop, bool reversed, Soup& soup) {
 }
 
 std::vector<Vec3> rounded_positions(const SolidData& data, const ExactAffine& affine) {
-  const Kernel kernel(data.geometry);
+  const Kernel kernel(data.geometry());
   std::vector<Vec3> positions;
-  positions.reserve(data.brep.vertex_count());
-  for (const PointId p : data.brep.point) {
-    const Vec3 image = data.geometry.is_explicit(p) ? affine.rounded(data.geometry.position(p))
-                                                    : affine.rounded(kernel.exact(p));
+  positions.reserve(data.brep().vertex_count());
+  for (const PointId p : data.brep().point) {
+    const Vec3 image = data.geometry().is_explicit(p) ? affine.rounded(data.geometry().position(p))
+                                                      : affine.rounded(kernel.exact(p));
     require(std::isfinite(image.x) && std::isfinite(image.y) && std::isfinite(image.z),
             "The transformed solid would be too large for double coordinates.");
     positions.push_back(image);
@@ -106,10 +106,10 @@ Soup rounded_faces(const SolidData& data, const ExactAffine& affine) {
   Soup soup;
   soup.positions = rounded_positions(data, affine);
   const bool mirrored = affine.mirrors();
-  for (const LoopId outer : data.brep.outer_loop) {
+  for (const LoopId outer : data.brep().outer_loop) {
     soup.face_loops.push_back(0);
-    for (LoopId l = outer; l.valid(); l = data.brep.next_loop[l.value()])
-      add_loop(data.brep, l, mirrored, soup);
+    for (LoopId l = outer; l.valid(); l = data.brep().next_loop[l.value()])
+      add_loop(data.brep(), l, mirrored, soup);
   }
   return soup;
 }
@@ -117,10 +117,10 @@ Soup rounded_faces(const SolidData& data, const ExactAffine& affine) {
 std::shared_ptr<const SolidData> rounded_image(const SolidData& data, const ExactAffine& affine) {
   const std::shared_ptr<const SolidData> imported = import_soup(rounded_faces(data, affine));
   auto image = std::make_shared<SolidData>();
-  image->brep = imported->brep;
-  image->geometry = imported->geometry;
+  image->brep() = imported->brep();
+  image->geometry() = imported->geometry();
   image->origin = data.origin;
-  for (FaceSource& source : image->brep.source) source = data.brep.source[source.face];
+  for (FaceSource& source : image->brep().source) source = data.brep().source[source.face];
   return image;
 }
 

@@ -10,10 +10,15 @@
 
 namespace sectile {
 
-struct SolidData {
-  Brep brep;
-  Geometry geometry;
+class SolidData {
+ public:
   std::uint32_t origin = 0;  ///< see Solid::origin
+
+  const Brep& brep() const { return brep_; }
+  const Geometry& geometry() const { return geometry_; }
+  /// For who makes the solid, before it is shared.
+  Brep& brep() { return brep_; }
+  Geometry& geometry() { return geometry_; }
 
   /// The bounding volume hierarchy over the faces, built when first asked for and then kept.
   const FaceTree& tree() const;
@@ -30,6 +35,8 @@ struct SolidData {
   }
 
  private:
+  Brep brep_;
+  Geometry geometry_;
   mutable std::once_flag tree_once_;
   mutable std::unique_ptr<FaceTree> tree_;
   mutable std::once_flag touches_once_;

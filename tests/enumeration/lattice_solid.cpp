@@ -84,8 +84,8 @@ LatticePoint exact(const Geometry& geometry, PointId id) {
 std::vector<LatticePoint> exact_corners(const Solid& solid) {
   std::vector<LatticePoint> points;
   if (solid.is_empty()) return points;
-  for (const PointId p : solid.data()->brep.point)
-    points.push_back(exact(solid.data()->geometry, p));
+  for (const PointId p : solid.data()->brep().point)
+    points.push_back(exact(solid.data()->geometry(), p));
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   return points;
@@ -94,12 +94,12 @@ std::vector<LatticePoint> exact_corners(const Solid& solid) {
 Rational exact_volume(const Solid& solid) {
   Rational sum = 0;
   if (solid.is_empty()) return sum;
-  const Brep& brep = solid.data()->brep;
+  const Brep& brep = solid.data()->brep();
   std::vector<LatticePoint> corners;
   for (std::size_t l = 0; l < brep.loop_count(); ++l) {
     corners.clear();
     for_each_in_loop(brep, LoopId(l), [&](HalfEdgeId h) {
-      corners.push_back(exact(solid.data()->geometry, brep.point_of(brep.from(h))));
+      corners.push_back(exact(solid.data()->geometry(), brep.point_of(brep.from(h))));
     });
     sum += six_volumes(corners);
   }

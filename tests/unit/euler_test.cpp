@@ -57,7 +57,7 @@ std::vector<Brep> structures() {
   const Solid hollow = boolean(cube, block({1, 1, 1}, {2, 2, 2}), Operation::subtract);
   std::vector<Brep> breps;
   for (const Solid& solid : {cube, extrude(ring, 1), hollow, pyramid(2, 2, 5)})
-    breps.push_back(solid.data()->brep);
+    breps.push_back(solid.data()->brep());
   return breps;
 }
 

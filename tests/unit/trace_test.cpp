@@ -61,19 +61,19 @@ std::size_t number(const std::string& entity) {
 // How far a place is from the entity of the solid that is said to be there.
 double distance(const Solid& solid, const std::string& entity, const Vec3& place) {
   const SolidData& data = *solid.data();
-  const auto at = [&](VertexId v) { return data.geometry.position(data.brep.point_of(v)); };
+  const auto at = [&](VertexId v) { return data.geometry().position(data.brep().point_of(v)); };
   if (entity[0] == 'v') return length(minus(place, at(VertexId(number(entity)))));
   if (entity[0] == 'e') {
     const HalfEdgeId h = Brep::half_edge(EdgeId(number(entity)));
-    const Vec3 p = at(data.brep.from(h)), along = minus(at(data.brep.to(h)), p);
+    const Vec3 p = at(data.brep().from(h)), along = minus(at(data.brep().to(h)), p);
     const double t = dot(minus(place, p), along) / dot(along, along);
     if (t < 0 || t > 1) return 1;
     return length(cross(minus(place, p), along)) / length(along);
   }
-  const LoopId loop = data.brep.outer_loop.at(number(entity));
-  const HalfEdgeId h = data.brep.loop_half_edge[loop.value()], next = data.brep.next_of(h);
-  const Vec3 p = at(data.brep.from(h)),
-             normal = cross(minus(at(data.brep.to(h)), p), minus(at(data.brep.to(next)), p));
+  const LoopId loop = data.brep().outer_loop.at(number(entity));
+  const HalfEdgeId h = data.brep().loop_half_edge[loop.value()], next = data.brep().next_of(h);
+  const Vec3 p = at(data.brep().from(h)),
+             normal = cross(minus(at(data.brep().to(h)), p), minus(at(data.brep().to(next)), p));
   return std::abs(dot(minus(place, p), normal)) / length(normal);
 }
 

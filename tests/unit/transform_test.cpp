@@ -141,7 +141,7 @@ TEST(TransformedSolid, ExactImagesKeepTheStructure) {
     EXPECT_EQ(moved.counts().loops, solid.counts().loops);
     EXPECT_EQ(moved.counts().genus, 1);
     EXPECT_EQ(moved.origin(), solid.origin());
-    EXPECT_EQ(moved.data()->brep.source, solid.data()->brep.source);
+    EXPECT_EQ(moved.data()->brep().source, solid.data()->brep().source);
   }
 }
 
@@ -160,7 +160,7 @@ TEST(TransformedSolid, RoundedImagesAreLegalAndKeepSources) {
   EXPECT_NEAR(moved.area(), solid.area(), 1e-12);
   EXPECT_EQ(moved.counts().vertices, solid.counts().vertices);
   EXPECT_EQ(moved.origin(), solid.origin());
-  for (const FaceSource& source : moved.data()->brep.source) {
+  for (const FaceSource& source : moved.data()->brep().source) {
     EXPECT_EQ(source.solid, solid.origin());
     EXPECT_LT(source.face, solid.counts().faces);
   }
@@ -183,14 +183,14 @@ class TransformedResult : public testing::Test {
 
 TEST_F(TransformedResult, ExactMovesAreReversible) {
   const Solid solid = result();
-  ASSERT_FALSE(solid.data()->geometry.constructions.empty());
+  ASSERT_FALSE(solid.data()->geometry().constructions.empty());
   for (const Transform& t : {Transform::scaling({-1, 1, 1}), Transform::scaling({2, 2, 2}),
                              Transform::rotation_degrees({0, 0, 1}, 90)}) {
     const Solid moved = transformed(solid, t);
     expect_legal(moved);
     EXPECT_NEAR(moved.volume(), solid.volume() * (t.m[0] == 2 ? 8 : 1), 1e-12);
-    EXPECT_EQ(moved.data()->geometry.constructions.size(),
-              solid.data()->geometry.constructions.size());
+    EXPECT_EQ(moved.data()->geometry().constructions.size(),
+              solid.data()->geometry().constructions.size());
     const Transform back = t.m[0] == 2    ? Transform::scaling({0.5, 0.5, 0.5})
                            : t.m[0] == -1 ? t
                                           : Transform::rotation_degrees({0, 0, 1}, -90);
@@ -203,7 +203,7 @@ TEST_F(TransformedResult, RoundedMovesAreLegal) {
   const Solid moved = transformed(solid, Transform::rotation_degrees({1, 0, 1}, 33));
   expect_legal(moved);
   EXPECT_NEAR(moved.volume(), solid.volume(), 1e-12);
-  EXPECT_TRUE(moved.data()->geometry.constructions.empty());
+  EXPECT_TRUE(moved.data()->geometry().constructions.empty());
 }
 
 const Transform exact_transforms[] = {
@@ -231,11 +231,11 @@ TEST(TransformedSolid, ExactMovesCommuteWithBooleans) {
 
 TEST(TransformedSolid, PlanesGivenByCoefficientsMoveExactly) {
   const Solid part = split(block({0, 0, 0}, {1, 1, 1}), {1, 2, 3, -3.5}).first;
-  ASSERT_FALSE(part.data()->geometry.coefficients.empty());
+  ASSERT_FALSE(part.data()->geometry().coefficients.empty());
   for (const Transform& t : exact_transforms) {
     const Solid moved = transformed(part, t);
     expect_legal(moved);
-    EXPECT_FALSE(moved.data()->geometry.coefficients.empty());
+    EXPECT_FALSE(moved.data()->geometry().coefficients.empty());
     EXPECT_NEAR(moved.volume(), part.volume() * (t.m[0] == 2 ? 4 : 1), 1e-12);
     const Solid whole = transformed(block({0, 0, 0}, {1, 1, 1}), t);
     EXPECT_TRUE(boolean(moved, whole, Operation::subtract).is_empty());

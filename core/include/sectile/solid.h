@@ -10,7 +10,7 @@
 
 namespace sectile {
 
-struct SolidData;  // topology, geometry and search tree; internal
+class SolidData;  // topology, geometry and search tree; internal
 
 /// Where a face comes from: `solid` is the number given to a mesh when it was imported (see
 /// Solid::origin), `face` the face of that mesh. Kept through any cascade of operations.
