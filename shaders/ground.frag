@@ -1,5 +1,5 @@
 #version 330 core
-// Grid lines of two densities and the axes x and y, all fading with the distance and where they
+// Grid lines of two densities and two axes, all fading with the distance and where they
 // would crowd.
 in vec2 place;
 
@@ -12,8 +12,8 @@ uniform float line_width;
 uniform bool show_grid;
 uniform bool show_axes;
 uniform vec4 grid_colour;
-uniform vec3 x_colour;
-uniform vec3 y_colour;
+uniform vec3 first_colour;   // of the axes
+uniform vec3 second_colour;
 uniform float strength;
 
 out vec4 result;
@@ -41,8 +41,8 @@ void main() {
   if (show_axes) {
     vec2 away = abs(place + centre) / pixel;
     vec2 cover = clamp(0.8 * line_width + 0.5 - away, 0.0, 1.0);
-    colour = mix(colour, vec4(x_colour, 0.9), cover.y);
-    colour = mix(colour, vec4(y_colour, 0.9), cover.x);
+    colour = mix(colour, vec4(first_colour, 0.9), cover.y);
+    colour = mix(colour, vec4(second_colour, 0.9), cover.x);
   }
   result = vec4(colour.rgb, colour.a * fade);
 }

@@ -1,6 +1,6 @@
 #version 330 core
 // The colour of a surface, opaque or not.
-flat in vec3 model_normal;
+in vec3 model_normal;
 
 uniform mat3 normal_to_world;
 uniform vec3 key_light;    // towards the light, in world coordinates
@@ -12,8 +12,9 @@ uniform float hatch_width; // in pixels
 out vec4 result;
 
 vec3 lit(vec3 n) {
+  // The tops of things are bright, their sides are not: what faces where is seen at a glance.
   float sky = 0.5 + 0.5 * n.z;
-  float light = 0.30 + 0.24 * sky + 0.52 * max(dot(n, key_light), 0.0);
+  float light = 0.25 + 0.36 * sky * sky + 0.46 * max(dot(n, key_light), 0.0);
   // Light adds up in linear values, of which squares are a fair picture.
   return colour * sqrt(light);
 }

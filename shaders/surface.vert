@@ -1,5 +1,5 @@
 #version 330 core
-// Flat shaded triangles.
+// Triangles with normals of their own or, where the surface is bent, shared ones.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 
@@ -7,7 +7,7 @@ uniform mat4 model_to_clip;
 uniform vec4 kept_side;    // a plane in model coordinates; its negative side is cut away
 uniform float depth_shift; // keeps coplanar surfaces apart, in a fixed order
 
-flat out vec3 model_normal;
+out vec3 model_normal;
 
 invariant gl_Position;
 

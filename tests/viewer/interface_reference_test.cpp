@@ -26,6 +26,16 @@ TEST(ReferencePicturesOfInterface, ModelWithResult) {
   expect_as_kept(driver, "interface-fig01");
 }
 
+// Of a difference that is worked on: the operands' outlines, and what was removed.
+TEST(ReferencePicturesOfInterface, OperandsOfADifference) {
+  AppDriver driver(width, height);
+  driver.app().open_sample("fig13");
+  driver.settle();
+  driver.press("tree:" + std::to_string(driver.app().scene().roots().front()));
+  driver.settle();
+  expect_as_kept(driver, "interface-operands");
+}
+
 TEST(ReferencePicturesOfInterface, StepOfNullEdges) {
   AppDriver driver(width, height);
   driver.app().open_sample("fig13");

@@ -1,4 +1,4 @@
-sectile_test(render_test SOURCES render_test.cpp demo_pictures.cpp leaks.cpp
+sectile_test(render_test SOURCES render_test.cpp look_test.cpp demo_pictures.cpp leaks.cpp
              LIBRARIES sectile_viewer_render sectile::samples)
 
 # Windows need a display: one that nobody sees. Without -noreset the server restarts between two

@@ -211,6 +211,10 @@ class App::Implementation {
       if (pixel.z <= 0) continue;
       const ImVec2 at{std::round(p.x + static_cast<float>(pixel.x) + 5),
                       std::round(p.y + static_cast<float>(pixel.y) - 16)};
+      if (label.plate) {
+        draw_on_plate(draw, label, at);
+        continue;
+      }
       const float size = fonts_.small->FontSize / font_scale_;
       for (const ImVec2 by : {ImVec2(-1, 0), ImVec2(1, 0), ImVec2(0, -1), ImVec2(0, 1)})
         draw.AddText(fonts_.small, size, {at.x + by.x, at.y + by.y},
@@ -218,6 +222,18 @@ class App::Implementation {
       draw.AddText(fonts_.small, size, at, packed(label.colour), label.text.c_str());
     }
     draw.PopClipRect();
+  }
+
+  void draw_on_plate(ImDrawList& draw, const Label& label, ImVec2 at) const {
+    const float size = fonts_.regular->FontSize / font_scale_;
+    const ImVec2 room = fonts_.regular->CalcTextSizeA(size, FLT_MAX, 0, label.text.c_str());
+    const Rectangle& p = layout_.picture;
+    at.x = std::clamp(at.x, p.x + 8, std::max(p.x + 8, p.x + p.width - room.x - 8));
+    at.y = std::clamp(at.y, p.y + 6, std::max(p.y + 6, p.y + p.height - room.y - 6));
+    const ImVec2 low{at.x - 7, at.y - 4}, high{at.x + room.x + 7, at.y + room.y + 4};
+    draw.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_PopupBg, 0.94f), 5);
+    draw.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_Border), 5);
+    draw.AddText(fonts_.regular, size, at, packed(label.colour), label.text.c_str());
   }
 
   GraphicsContext& context_;

@@ -3,6 +3,7 @@
 #include <imgui.h>
 #include <imgui_freetype.h>
 
+#include "app/set_signs.h"
 #include "render/embedded.h"
 
 namespace sectile::viewer {
@@ -41,12 +42,19 @@ class Loader {
     ImFont* font = add(file, size, text_ranges);
     add("DejaVuSansMono.ttf", size * 0.95f, sign_ranges, true);
     add("FontAwesome.ttf", size * 0.95f, icon_ranges, true, size * 0.06f);
+    signs_.add_to(atlas_, font, size * scale_);
     return font;
+  }
+
+  void build() {
+    atlas_.Build();
+    signs_.draw(atlas_);
   }
 
  private:
   ImFontAtlas& atlas_;
   float scale_;
+  SetSigns signs_;
 };
 
 }  // namespace
@@ -63,7 +71,7 @@ Fonts load_fonts(ImFontAtlas& atlas, float scale) {
   fonts.title = loader.add_text("Inter-SemiBold.otf", 20);
   fonts.small = loader.add_text("Inter-Regular.otf", 12.5f);
   fonts.mono = loader.add("DejaVuSansMono.ttf", 14, mono_ranges);
-  atlas.Build();
+  loader.build();
   return fonts;
 }
 

@@ -1,7 +1,12 @@
-// Pictograms of Font Awesome 4.7 as UTF-8, to be put into texts of the interface.
+// Pictograms of Font Awesome 4.7, and some of our own (set_signs.h), as UTF-8, to be put into texts
+// of the interface.
 #pragma once
 
 namespace sectile::viewer::icons {
+
+inline constexpr const char* venn_union = "\ue001";
+inline constexpr const char* venn_intersection = "\ue002";
+inline constexpr const char* venn_difference = "\ue003";
 
 inline constexpr const char* file = "\uf15b";
 inline constexpr const char* folder_open = "\uf07c";

@@ -103,7 +103,7 @@ void Navigation::add_to(Picture& picture, const Session& session) const {
   if (!pull.edges.empty()) picture.lines.push_back({pull.edges, colours.step, 4, true});
   if (!pull.points.empty()) picture.points.push_back({pull.points, colours.step, 12});
   if (!pull.text.empty())
-    picture.labels.push_back({place_of_text(*handles, session), pull.text, colours.text});
+    picture.labels.push_back({place_of_text(*handles, session), pull.text, colours.text, true});
 }
 
 void Navigation::record(Widgets& widgets, const Session& session, const Rectangle& place) const {

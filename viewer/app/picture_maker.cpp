@@ -40,6 +40,8 @@ class ShapeCollector {
   }
 
  private:
+  enum class Look { opaque, translucent, outline, tint };
+
   void add(NodeId id) {
     const Node* node = session_.scene().find(id);
     if (!node || !node->visible) return;
@@ -48,26 +50,37 @@ class ShapeCollector {
       return;
     }
     const bool open = id == worked_on_;
-    if (!open || session_.view.shown != Shown::operands)
-      add_surface(*node, colour_of(*node), false);
+    // Where they coincide, the result's own edges are drawn over those of the operands.
     if (open && session_.view.shown != Shown::result) add_operands(*node);
+    if (!open || session_.view.shown != Shown::operands)
+      add_surface(*node, colour_of(*node), Look::opaque);
   }
 
   void add_operands(const Node& node) {
-    for (std::size_t i = 0; i < node.children.size(); ++i)
-      if (const Node* child = session_.scene().find(node.children[i]); child && child->visible)
-        add_operand(*child, i == 0 ? theme_.a : theme_.b);
+    const Operation operation = std::get<BooleanNode>(node.what).operation;
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      const Node* child = session_.scene().find(node.children[i]);
+      if (!child || !child->visible) continue;
+      if (session_.view.shown == Shown::operands) {
+        add_operand(*child, i == 0 ? theme_.a : theme_.b, Look::translucent);
+        continue;
+      }
+      add_operand(*child, i == 0 ? theme_.a : theme_.b, Look::outline);
+      // What the operation takes away, seen where the result is not: of a difference, from A.
+      if (operation == Operation::intersect)
+        add_operand(*child, with_alpha(i == 0 ? theme_.a : theme_.b, 0.16f), Look::tint);
+      if (operation == Operation::subtract && i == 0)
+        add_operand(*child, with_alpha(theme_.b, 0.22f), Look::tint);
+    }
   }
 
-  void add_operand(const Node& node, const Colour& colour) {
+  void add_operand(const Node& node, const Colour& colour, Look look) {
     if (std::holds_alternative<Group>(node.what)) {
       for (const NodeId child : node.children)
-        if (const Node* found = session_.scene().find(child)) add_operand(*found, colour);
+        if (const Node* found = session_.scene().find(child)) add_operand(*found, colour, look);
       return;
     }
-    // Over an opaque result only a breath of the operands remains.
-    const bool alone = session_.view.shown == Shown::operands;
-    add_surface(node, alone ? colour : with_alpha(colour, 0.22f), true);
+    add_surface(node, colour, look);
   }
 
   Colour colour_of(const Node& node) const {
@@ -81,23 +94,26 @@ class ShapeCollector {
     return theme_.neutral;
   }
 
-  void add_surface(const Node& node, const Colour& colour, bool translucent) {
+  void add_surface(const Node& node, const Colour& colour, Look look) {
     const Evaluation* evaluation = session_.evaluation();
     const Evaluation::Entry* entry = evaluation ? evaluation->find(node.id) : nullptr;
     if (!entry || !entry->surface || entry->surface->positions.empty()) return;
     Shape shape;
     shape.node = node.id;
-    shape.is_operand = translucent;
+    shape.is_operand = look != Look::opaque;
     Surface& surface = shape.surface;
     surface.mesh = entry->surface;
     // A result follows its operands when it is computed, not before; all else moves at once.
     surface.model = matrix_of(session_.scene().world(node.id));
-    const bool pair =
-        chosen_.size() >= 2 && colour != theme_.neutral && session_.is_selected(node.id);
-    surface.translucent = translucent || pair;
+    surface.translucent = look == Look::translucent || look == Look::tint;
     surface.colour = surface.translucent ? colour : with_alpha(colour, 1);
-    surface.faces = !session_.view.wireframe;
-    surface.highlighted = session_.is_selected(node.id);
+    surface.faces = look != Look::outline && !session_.view.wireframe;
+    surface.all_edges = session_.view.wireframe && look != Look::outline;
+    surface.edges = look != Look::tint;
+    surface.yields = look == Look::tint;
+    surface.silhouette = look == Look::outline && !session_.view.wireframe;
+    surface.highlighted = look != Look::tint && session_.is_selected(node.id);
+    if (look == Look::tint && session_.view.wireframe) return;
     shapes_.push_back(std::move(shape));
   }
 
@@ -114,7 +130,10 @@ void add_labels(const Session& session, const std::vector<Shape>& shapes, Pictur
   for (const Shape& shape : shapes) {
     if (!session.selection().empty() && !session.is_selected(shape.node)) continue;
     std::set<std::array<float, 3>> seen;
-    for (const glm::vec3& p : shape.surface.mesh->hard_edges) {
+    std::vector<glm::vec3> ends = shape.surface.mesh->hard_edges;
+    ends.insert(ends.end(), shape.surface.mesh->smooth_edges.begin(),
+                shape.surface.mesh->smooth_edges.end());
+    for (const glm::vec3& p : ends) {
       if (picture.labels.size() >= most_labels) return;
       if (!seen.insert({p.x, p.y, p.z}).second) continue;
       const glm::dvec3 place(shape.surface.model * glm::dvec4(p, 1));
@@ -162,7 +181,11 @@ Picture PictureMaker::make(const Session& session) {
   const bool tells = session.mode() == Mode::steps && session.player.story();
   Picture picture = tells ? steps(session) : model(session);
   if (tells && view.wireframe)
-    for (Surface& surface : picture.surfaces) surface.faces = false;
+    for (Surface& surface : picture.surfaces) {
+      surface.faces = false;
+      surface.all_edges = true;
+    }
+  picture.hidden_lines = view.hidden_lines;
   picture.camera = session.camera;
   picture.surroundings = theme(view.dark).surroundings;
   picture.surroundings.show_grid = view.grid;

@@ -12,6 +12,7 @@ struct ViewSettings {
   bool dark = false;
   bool grid = true, axes = true;
   bool wireframe = false;
+  bool hidden_lines = false;  ///< edges behind faces, faintly
   bool labels = false;
   bool eight_way = false;
   double exploded = 0.2;     ///< 0 … 1, of the story's pictures
@@ -20,7 +21,7 @@ struct ViewSettings {
   double section_place = 0;  ///< along the axis
   bool section_flipped = false;
   Shown shown = Shown::both;
-  bool follow_steps = false;  ///< the camera goes to the place of each step
+  bool follow_steps = true;  ///< the camera goes to the place of each step
   bool hints = true;
 };
 

@@ -3,6 +3,8 @@
 #include <cctype>
 #include <cstdio>
 
+#include "app/icons.h"
+
 namespace sectile::viewer {
 
 std::string name_of(Primitive::Shape shape) {
@@ -51,6 +53,18 @@ std::string sign_of(Operation operation) {
       return "\u2229";
     case Operation::subtract:
       return "\\";
+  }
+  return {};
+}
+
+std::string icon_of(Operation operation) {
+  switch (operation) {
+    case Operation::unite:
+      return icons::venn_union;
+    case Operation::intersect:
+      return icons::venn_intersection;
+    case Operation::subtract:
+      return icons::venn_difference;
   }
   return {};
 }

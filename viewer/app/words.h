@@ -11,6 +11,7 @@ namespace sectile::viewer {
 std::string name_of(Primitive::Shape shape);
 std::string name_of(Operation operation);
 std::string sign_of(Operation operation);  ///< ∪ ∩ \ in UTF-8
+std::string icon_of(Operation operation);  ///< the same as a Venn diagram
 std::string kind_of(const Node& node);     ///< "block", "union", …
 std::string title_of(Phase phase);         ///< for the time line
 std::string capitalised(std::string text);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "picture/polygon_ears.h"
+#include "picture/smooth_groups.h"
 #include "picture/surface_mesh.h"
 
 namespace sectile::viewer {
@@ -43,10 +44,82 @@ std::vector<glm::dvec2> flattened(const SurfacePart& part, const SurfacePart::Fa
   return places;
 }
 
-void add_face(SurfaceMesh& surface, const SurfacePart& part, std::uint32_t number) {
+// The corners of all loops of all faces have numbers, one after another.
+struct Corners {
+  std::vector<std::uint32_t> first_of_face;
+  std::vector<glm::dvec3> normals;  // of each face
+
+  explicit Corners(const SurfacePart& part) {
+    std::uint32_t count = 0;
+    for (const SurfacePart::Face& face : part.faces) {
+      first_of_face.push_back(count);
+      for (const auto& loop : face.loops) count += static_cast<std::uint32_t>(loop.size());
+      const bool none = face.loops.empty() || face.loops[0].empty();
+      normals.push_back(none ? glm::dvec3(0) : loop_normal(part, face.loops[0]));
+    }
+    first_of_face.push_back(count);
+  }
+};
+
+// Ascending. Faces do not always share the vertices of a common edge, but its places.
+using Edge = std::array<std::array<double, 3>, 2>;
+
+// A face along an edge, with its corners at the edge's first and second end.
+struct Along {
+  std::uint32_t face = 0, at_first = 0, at_second = 0;
+};
+
+std::map<Edge, std::vector<Along>> edges_of(const SurfacePart& part, const Corners& corners) {
+  std::map<Edge, std::vector<Along>> edges;
+  for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+    std::uint32_t first = corners.first_of_face[f];
+    for (const auto& loop : part.faces[f].loops) {
+      const auto size = static_cast<std::uint32_t>(loop.size());
+      for (std::uint32_t i = 0; i < size; ++i) {
+        const Vec3 &p = part.positions[loop[i]], &q = part.positions[loop[(i + 1) % size]];
+        Edge edge{{{p.x, p.y, p.z}, {q.x, q.y, q.z}}};
+        Along along{f, first + i, first + (i + 1) % size};
+        if (edge[1] < edge[0]) {
+          std::swap(edge[0], edge[1]);
+          std::swap(along.at_first, along.at_second);
+        }
+        edges[edge].push_back(along);
+      }
+      first += size;
+    }
+  }
+  return edges;
+}
+
+// Fills the surface's edges and joins the corners across those that are not hard.
+SmoothGroups sort_edges(SurfaceMesh& surface, const SurfacePart& part, const Corners& corners) {
+  SmoothGroups groups(corners.first_of_face.back());
+  for (const auto& [edge, along] : edges_of(part, corners)) {
+    const bool inner = along.size() == 2;
+    const bool one_face =
+        inner && part.faces[along[0].face].source == part.faces[along[1].face].source;
+    const bool smooth =
+        inner && glm::dot(corners.normals[along[0].face], corners.normals[along[1].face]) >
+                     cosine_of_sharpest_smooth_edge;
+    if (smooth) {
+      groups.join(along[0].at_first, along[1].at_first);
+      groups.join(along[0].at_second, along[1].at_second);
+    }
+    if (one_face) continue;
+    for (const auto& [x, y, z] : edge)
+      (smooth ? surface.smooth_edges : surface.hard_edges).emplace_back(glm::dvec3(x, y, z));
+  }
+  for (std::uint32_t f = 0; f < part.faces.size(); ++f)
+    for (std::uint32_t c = corners.first_of_face[f]; c < corners.first_of_face[f + 1]; ++c)
+      groups.add(c, corners.normals[f]);
+  return groups;
+}
+
+void add_face(SurfaceMesh& surface, const SurfacePart& part, std::uint32_t number,
+              const Corners& numbered, SmoothGroups& groups) {
   const SurfacePart::Face& face = part.faces[number];
   if (face.loops.empty() || face.loops[0].empty()) return;
-  const glm::dvec3 normal = loop_normal(part, face.loops[0]);
+  const glm::dvec3 normal = numbered.normals[number];
   Loops loops;
   const std::vector<glm::dvec2> places = flattened(part, face, normal, loops);
   std::vector<std::uint32_t> corners;
@@ -54,35 +127,9 @@ void add_face(SurfaceMesh& surface, const SurfacePart& part, std::uint32_t numbe
   for (const auto& triangle : ears(places, loops)) {
     for (const std::uint32_t i : triangle) {
       surface.positions.emplace_back(to_glm(part.positions[corners[i]]));
-      surface.normals.emplace_back(normal);
+      surface.normals.emplace_back(groups.normal_at(numbered.first_of_face[number] + i, normal));
     }
     surface.faces.push_back(number);
-  }
-}
-
-// Ascending. Faces do not always share the vertices of a common edge, but its places.
-using Edge = std::array<std::array<double, 3>, 2>;
-
-Edge edge_between(const Vec3& from, const Vec3& to) {
-  Edge edge{{{from.x, from.y, from.z}, {to.x, to.y, to.z}}};
-  std::sort(edge.begin(), edge.end());
-  return edge;
-}
-
-void add_hard_edges(SurfaceMesh& surface, const SurfacePart& part) {
-  std::map<Edge, std::vector<FaceSource>> sources_along;
-  for (const SurfacePart::Face& face : part.faces) {
-    for (const auto& loop : face.loops) {
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Edge edge =
-            edge_between(part.positions[loop[i]], part.positions[loop[(i + 1) % loop.size()]]);
-        sources_along[edge].push_back(face.source);
-      }
-    }
-  }
-  for (const auto& [edge, sources] : sources_along) {
-    if (sources.size() == 2 && sources[0] == sources[1]) continue;
-    for (const auto& [x, y, z] : edge) surface.hard_edges.emplace_back(glm::dvec3(x, y, z));
   }
 }
 
@@ -90,10 +137,11 @@ void add_hard_edges(SurfaceMesh& surface, const SurfacePart& part) {
 
 std::shared_ptr<const SurfaceMesh> surface_mesh(const SurfacePart& part) {
   auto surface = std::make_shared<SurfaceMesh>();
+  const Corners corners(part);
+  SmoothGroups groups = sort_edges(*surface, part, corners);
   for (std::uint32_t number = 0; number < part.faces.size(); ++number)
-    add_face(*surface, part, number);
+    add_face(*surface, part, number, corners, groups);
   for (const Vec3& p : part.positions) surface->bounds.add(to_glm(p));
-  add_hard_edges(*surface, part);
   return surface;
 }
 

@@ -15,13 +15,14 @@ namespace sectile::viewer {
 /// RGBA as style sheets have it (the screen's values), not premultiplied.
 using Colour = glm::vec4;
 
-/// The triangles and hard edges of a surface. Immutable once shared; the renderer keeps its buffers
-/// as long as someone holds the mesh.
+/// The triangles and edges of a surface. Immutable once shared; the renderer keeps its buffers as
+/// long as someone holds the mesh.
 struct SurfaceMesh {
-  std::vector<glm::vec3> positions;   ///< three for each triangle, flat shaded
-  std::vector<glm::vec3> normals;     ///< one for each position
-  std::vector<glm::vec3> hard_edges;  ///< two for each edge
-  std::vector<std::uint32_t> faces;   ///< one for each triangle: the solid's face (for picking)
+  std::vector<glm::vec3> positions;     ///< three for each triangle
+  std::vector<glm::vec3> normals;       ///< one for each position; equal across smooth edges
+  std::vector<glm::vec3> hard_edges;    ///< two for each edge where the surface bends sharply
+  std::vector<glm::vec3> smooth_edges;  ///< two for each of the others: drawn as wires only
+  std::vector<std::uint32_t> faces;     ///< one for each triangle: the solid's face (for picking)
   Bounds bounds;
   bool closed = false;  ///< without a boundary: its back faces are seen in a section only
 };
@@ -32,10 +33,14 @@ struct Surface {
   glm::dmat4 model{1};
   Colour colour{0.7f, 0.7f, 0.7f, 1};
   bool translucent =
-      false;          ///< drawn with colour.a, sorted correctly against other translucent ones
-  bool edges = true;  ///< hard edges; hidden ones dimmed
-  bool faces = true;  ///< false: wireframe
-  bool highlighted = false;  ///< outlined (selection or hover)
+      false;               ///< drawn with colour.a, sorted correctly against other translucent ones
+  bool edges = true;       ///< hard edges
+  bool faces = true;       ///< false: edges in the surface's colour instead
+  bool all_edges = false;  ///< smooth edges too
+  bool silhouette = false;   ///< outlined thinly in its colour where nothing hides it
+  bool highlighted = false;  ///< outlined (selection or hover), whatever hides it
+  bool yields = false;       ///< hidden by opaque surfaces that lie in the same place
+  bool is_tool = false;      ///< a handle: casts no shadow and darkens no corner
   bool operator==(const Surface&) const = default;
 };
 
@@ -62,6 +67,7 @@ struct Label {
   glm::dvec3 place{0};
   std::string text;
   Colour colour{0, 0, 0, 1};
+  bool plate = false;  ///< on a plate of its own, to be read over anything
   bool operator==(const Label&) const = default;
 };
 
@@ -81,11 +87,13 @@ struct Surroundings {
   Colour axis_x{0.84f, 0.25f, 0.35f, 1}, axis_y{0.31f, 0.62f, 0.21f, 1},
       axis_z{0.23f, 0.47f, 0.88f, 1};
   bool show_grid = true, show_axes = true;
+  bool show_shadow = true;  ///< of opaque surfaces on the ground, at rest
   double grid_step = 1;
   bool operator==(const Surroundings&) const = default;
 };
 
-/// How much care a frame takes: while something moves, less.
+/// How much care a frame takes: while something moves, less. In full, edges are smooth, corners
+/// and hollows darker, and there is a soft shadow on the ground.
 enum class Quality : std::uint8_t { fast, full };
 
 struct Picture {
@@ -97,6 +105,7 @@ struct Picture {
   SectionPlane section;
   Surroundings surroundings;
   Quality quality = Quality::full;
+  bool hidden_lines = false;  ///< edges behind faces are drawn too, faintly
 
   Bounds bounds() const;  ///< of surfaces, lines and points
   bool operator==(const Picture&) const = default;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "picture/smooth_groups.h"
+
 namespace sectile::viewer {
 namespace {
 
@@ -53,10 +55,17 @@ void compute_normals(Triangles& triangles) {
   }
 }
 
-bool is_soft(const Triangles& triangles, std::uint32_t s, std::uint32_t t) {
-  if (triangles.sources[s] != triangles.sources[t]) return false;
-  if (triangles.slivers[s] || triangles.slivers[t]) return true;
-  return glm::dot(triangles.normals[s], triangles.normals[t]) > 1 - 1e-9;
+enum class Bend { none, smooth, hard };
+
+// `none`: both triangles lie in one face.
+Bend bend_between(const Triangles& triangles, std::uint32_t s, std::uint32_t t) {
+  const FaceSource &p = triangles.sources[s], &q = triangles.sources[t];
+  const double cosine = glm::dot(triangles.normals[s], triangles.normals[t]);
+  const bool sliver = triangles.slivers[s] || triangles.slivers[t];
+  if (p == q && (sliver || cosine > 1 - 1e-9)) return Bend::none;
+  if (sliver) return Bend::hard;
+  const double least = p.solid == q.solid ? cosine_of_sharpest_smooth_edge : 1 - 1e-9;
+  return cosine > least ? Bend::smooth : Bend::hard;
 }
 
 // By vertices, then by triangle. Sides go to the smaller of their vertices first, which leaves only
@@ -86,14 +95,49 @@ std::vector<Side> sides_in_order(const Triangles& triangles) {
   return sides;
 }
 
-void add_hard_edges(SurfaceMesh& surface, const Triangles& triangles) {
+std::uint32_t corner_at(const Triangles& triangles, std::uint32_t triangle, std::uint32_t vertex) {
+  std::uint32_t corner = 3 * triangle;
+  while (triangles.mesh.indices[corner] != vertex) ++corner;
+  return corner;
+}
+
+// Fills the surface's edges and joins the corners across those that are not hard.
+SmoothGroups sort_edges(SurfaceMesh& surface, const Triangles& triangles) {
+  SmoothGroups groups(3 * triangles.size());
   const std::vector<Side> sides = sides_in_order(triangles);
   for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
     while (next < sides.size() && sides[next].vertices == sides[i].vertices) ++next;
-    if (next - i == 2 && is_soft(triangles, sides[i].triangle, sides[i + 1].triangle)) continue;
-    for (const std::uint64_t v : {sides[i].vertices >> 32, sides[i].vertices & 0xffffffffu})
-      surface.hard_edges.emplace_back(to_glm(triangles.mesh.positions[v]));
+    const auto low = static_cast<std::uint32_t>(sides[i].vertices >> 32),
+               high = static_cast<std::uint32_t>(sides[i].vertices);
+    const Bend bend = next - i == 2
+                          ? bend_between(triangles, sides[i].triangle, sides[i + 1].triangle)
+                          : Bend::hard;
+    if (bend != Bend::hard)
+      for (const std::uint32_t v : {low, high})
+        groups.join(corner_at(triangles, sides[i].triangle, v),
+                    corner_at(triangles, sides[i + 1].triangle, v));
+    if (bend == Bend::none) continue;
+    auto& edges = bend == Bend::hard ? surface.hard_edges : surface.smooth_edges;
+    for (const std::uint32_t v : {low, high})
+      edges.emplace_back(to_glm(triangles.mesh.positions[v]));
   }
+  return groups;
+}
+
+// Each triangle counts with its angle at the corner, however its face is divided.
+void add_normals(SurfaceMesh& surface, const Triangles& triangles, SmoothGroups& groups) {
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (triangles.slivers[t]) continue;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const glm::dvec3 here = triangles.corner(t, i), u = triangles.corner(t, (i + 1) % 3) - here,
+                       v = triangles.corner(t, (i + 2) % 3) - here;
+      const double angle = std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+      groups.add(3 * t + i, triangles.normals[t] * angle);
+    }
+  }
+  surface.normals.reserve(3 * triangles.size());
+  for (std::uint32_t corner = 0; corner < 3 * triangles.size(); ++corner)
+    surface.normals.emplace_back(groups.normal_at(corner, triangles.normals[corner / 3]));
 }
 
 }  // namespace
@@ -105,18 +149,15 @@ std::shared_ptr<const SurfaceMesh> surface_mesh(const Solid& solid) {
 
   auto surface = std::make_shared<SurfaceMesh>();
   surface->positions.reserve(3 * triangles.size());
-  surface->normals.reserve(3 * triangles.size());
   surface->faces.reserve(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      surface->positions.emplace_back(triangles.corner(t, i));
-      surface->normals.emplace_back(triangles.normals[t]);
-    }
+    for (std::size_t i = 0; i < 3; ++i) surface->positions.emplace_back(triangles.corner(t, i));
     surface->faces.push_back(triangles.sources[t].face);
   }
   for (const Vec3& p : triangles.mesh.positions) surface->bounds.add(to_glm(p));
   surface->closed = true;
-  add_hard_edges(*surface, triangles);
+  SmoothGroups groups = sort_edges(*surface, triangles);
+  add_normals(*surface, triangles, groups);
   return surface;
 }
 

@@ -8,12 +8,16 @@
 
 namespace sectile::viewer {
 
-/// The boundary of a solid. Hard edges are those between faces of different source or direction;
-/// `faces` holds FaceSource::face.
+/// Faces that meet at a smaller angle than this look like one bent surface: the edge between them
+/// is smooth. (Twelve sides are still a round thing, ten a decagon.)
+inline constexpr double cosine_of_sharpest_smooth_edge = 0.855;
+
+/// The boundary of a solid. What comes from different operands never looks like one surface, unless
+/// it is flush. Diagonals within one face are no edges. `faces` holds FaceSource::face.
 std::shared_ptr<const SurfaceMesh> surface_mesh(const Solid& solid);
 
-/// A part of a boundary: faces with holes, triangulated for the eye only. All edges of its loops
-/// are hard but those between faces of one source; `faces` holds the number of the part's face.
+/// A part of a boundary: faces with holes, triangulated for the eye only. Its rims are hard; other
+/// edges as above. `faces` holds the number of the part's face.
 std::shared_ptr<const SurfaceMesh> surface_mesh(const SurfacePart& part);
 
 }  // namespace sectile::viewer

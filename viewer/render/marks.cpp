@@ -9,7 +9,6 @@ namespace {
 // In motion, more edges than these are drawn as the machine's own thin lines.
 constexpr GLsizei edge_ends_in_motion = 2 * 12000;
 constexpr float edge_width = 1.5f;
-constexpr float outline_width = 3.5f;  // on each side of the silhouette
 
 // Whatever lies on a face is drawn in front of it by this much of the depth range.
 constexpr float towards_camera = -2e-5f;
@@ -19,24 +18,28 @@ float smooth_step(double low, double high, double x) {
   return static_cast<float>(t * t * (3 - 2 * t));
 }
 
-float strength_of(EdgePlace place, double pixels) {
+float strength_of(EdgePlace place, double crowding) {
+  const float apart = 1 - smooth_step(0.2, 0.9, crowding);
   switch (place) {
     case EdgePlace::behind_faces:
-      return 0.13f * smooth_step(8, 40, pixels);
+      return 0.25f * apart;
     case EdgePlace::inside_translucent:
-      return 0.32f * smooth_step(8, 40, pixels);
+      return 0.32f * apart;
     case EdgePlace::in_front:
       break;
   }
-  return smooth_step(3, 32, pixels);
+  return apart;
 }
 
-// How long the hard edges of a surface are on the screen, on average.
-double edge_pixels(const View& view, const Surface& surface, const MeshBuffers& buffers) {
-  const glm::dvec3 centre(surface.model * glm::dvec4(surface.mesh->bounds.centre(), 1));
+// How much of a surface's place on the screen its edges would cover.
+double crowding_of(const View& view, const Surface& surface, const EdgeBuffers& edges) {
+  const Bounds& box = surface.mesh->bounds;
+  const glm::dvec3 centre(surface.model * glm::dvec4(box.centre(), 1));
   const double growth = std::cbrt(std::abs(glm::determinant(glm::dmat3(surface.model))));
-  const double pixel = view.picture.camera.pixel_length(centre, view.size) * view.scale;
-  return buffers.edge_length * growth / std::max(pixel, 1e-300);
+  const double pixel =
+      std::max(1e-300, view.picture.camera.pixel_length(centre, view.size) * view.scale);
+  const double radius = std::max(1.0, box.radius() * growth / pixel);
+  return edges.length * growth / pixel * edge_width / (1.5 * radius * radius);
 }
 
 }  // namespace
@@ -63,8 +66,9 @@ void MarkDrawer::take(const View& view) {
   has_translucent_ = false;
   for (const Surface& surface : picture.surfaces) {
     if (!surface.mesh) continue;
-    if (surface.edges) ends += meshes_.buffers(surface.mesh).edge_ends;
-    has_translucent_ |= surface.translucent && surface.faces;
+    if (surface.edges) ends += meshes_.hard_edges(surface.mesh).count;
+    if (surface.all_edges) ends += meshes_.smooth_edges(surface.mesh).count;
+    has_translucent_ |= surface.translucent && surface.faces && !surface.yields;
   }
   hairlines_only_ = view.is_fast() && ends > edge_ends_in_motion;
 }
@@ -72,9 +76,9 @@ void MarkDrawer::take(const View& view) {
 void MarkDrawer::draw_hidden(const View& view) {
   glEnable(GL_BLEND);
   glDepthMask(GL_FALSE);
-  // Behind opaque faces: edges very faint, and what is to be seen through everything.
+  // Behind opaque faces: what is to be seen through everything, and edges if they are asked for.
   glDepthFunc(GL_GREATER);
-  if (!hairlines_only_) draw_edges(view, EdgePlace::behind_faces);
+  if (view.picture.hidden_lines && !hairlines_only_) draw_edges(view, EdgePlace::behind_faces);
   draw_lines(view, 0, 0.35f);
   draw_points(view, true);
   // Inside translucent bodies; what lies in front of them is drawn again over this.
@@ -103,21 +107,25 @@ void MarkDrawer::draw_visible(const View& view) {
 void MarkDrawer::draw_edges(const View& view, EdgePlace place) {
   for (const Surface& surface : view.picture.surfaces) {
     if (!surface.mesh || !surface.edges) continue;
-    const MeshBuffers& buffers = meshes_.buffers(surface.mesh);
-    if (buffers.edge_ends == 0) continue;
-    // Edges that crowd would only darken the picture.
-    const double pixels = edge_pixels(view, surface, buffers);
-    float strength = strength_of(place, pixels);
-    if (!surface.faces) strength = std::max(strength, place == EdgePlace::in_front ? 0.5f : 0.15f);
-    if (strength < 0.04f) continue;
-    Stroke stroke{view.picture.surroundings.edge, edge_width, surface.model};
-    if (!surface.faces) stroke.colour = glm::vec4(glm::vec3(surface.colour), 1);
-    stroke.colour.a *= strength;
-    if (hairlines_only_)
-      draw_hairlines(view, buffers, stroke);
-    else
-      draw_segments(view, buffers.ends_texture.id(), buffers.edge_ends, stroke);
+    draw_edges(view, surface, meshes_.hard_edges(surface.mesh), place);
+    if (surface.all_edges) draw_edges(view, surface, meshes_.smooth_edges(surface.mesh), place);
   }
+}
+
+void MarkDrawer::draw_edges(const View& view, const Surface& surface, const EdgeBuffers& edges,
+                            EdgePlace place) {
+  if (edges.count == 0) return;
+  // Edges that crowd would only darken the picture; wires are all there is to see.
+  float strength = strength_of(place, crowding_of(view, surface, edges));
+  if (!surface.faces) strength = std::max(strength, place == EdgePlace::in_front ? 0.4f : 0.12f);
+  if (strength < 0.04f) return;
+  Stroke stroke{view.picture.surroundings.edge, edge_width, surface.model};
+  if (!surface.faces) stroke.colour = glm::vec4(glm::vec3(surface.colour), 1);
+  stroke.colour.a *= strength;
+  if (hairlines_only_)
+    draw_hairlines(view, edges, stroke);
+  else
+    draw_segments(view, edges.ends_texture.id(), edges.count, stroke);
 }
 
 void MarkDrawer::draw_lines(const View& view, float strength, float on_top_strength) {
@@ -156,24 +164,6 @@ void MarkDrawer::draw_points(const View& view, bool hidden) {
   glDisable(GL_CLIP_DISTANCE0);
 }
 
-void MarkDrawer::draw_outlines(const View& view) {
-  glDisable(GL_DEPTH_TEST);
-  glEnable(GL_BLEND);
-  glEnable(GL_STENCIL_TEST);
-  glStencilFunc(GL_NOTEQUAL, 1, 255);
-  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  for (const Surface& surface : view.picture.surfaces) {
-    if (!surface.mesh || !surface.highlighted) continue;
-    const MeshBuffers& buffers = meshes_.buffers(surface.mesh);
-    if (!buffers.can_be_outlined()) continue;
-    draw_segments(view, buffers.ends_texture.id(), buffers.edge_ends,
-                  {view.picture.surroundings.outline, 2 * outline_width, surface.model});
-  }
-  glDisable(GL_STENCIL_TEST);
-  glDisable(GL_BLEND);
-  glEnable(GL_DEPTH_TEST);
-}
-
 void MarkDrawer::draw_line(const View& view, const std::vector<glm::vec3>& ends,
                            const Colour& colour, float width) {
   fill(own_, 0, ends);
@@ -202,16 +192,15 @@ void MarkDrawer::draw_segments(const View& view, GLuint texture, GLsizei ends,
   glDisable(GL_CLIP_DISTANCE0);
 }
 
-void MarkDrawer::draw_hairlines(const View& view, const MeshBuffers& buffers,
-                                const Stroke& stroke) {
+void MarkDrawer::draw_hairlines(const View& view, const EdgeBuffers& edges, const Stroke& stroke) {
   hairline_.use();
   hairline_.set("to_clip", glm::mat4(view.to_clip * stroke.model));
   hairline_.set("kept_side", view.kept_side(stroke.model));
   hairline_.set("depth_shift", towards_camera);
   hairline_.set("colour", stroke.colour);
-  glBindVertexArray(buffers.hairlines.id());
+  glBindVertexArray(edges.hairlines.id());
   if (view.picture.section.active) glEnable(GL_CLIP_DISTANCE0);
-  glDrawArrays(GL_LINES, 0, buffers.edge_ends);
+  glDrawArrays(GL_LINES, 0, edges.count);
   glDisable(GL_CLIP_DISTANCE0);
 }
 

@@ -1,4 +1,4 @@
-// Lines and points: hard edges, line segments, round marks, outlines of what is selected.
+// Lines and points: edges, line segments, round marks.
 #pragma once
 
 #include "render/mesh_cache.h"
@@ -21,8 +21,6 @@ class MarkDrawer {
   void draw_hidden(const View& view);
   /// In front of all faces; the depth is that of all faces.
   void draw_visible(const View& view);
-  /// Around what the stencil marks.
-  void draw_outlines(const View& view);
   /// A line of its own, as part of the surroundings.
   void draw_line(const View& view, const std::vector<glm::vec3>& ends, const Colour& colour,
                  float width);
@@ -39,10 +37,12 @@ class MarkDrawer {
     glm::dmat4 model{1};
   };
   void draw_edges(const View& view, EdgePlace place);
+  void draw_edges(const View& view, const Surface& surface, const EdgeBuffers& edges,
+                  EdgePlace place);
   void draw_lines(const View& view, float strength, float on_top_strength);
   void draw_points(const View& view, bool hidden);
   void draw_segments(const View& view, GLuint texture, GLsizei ends, const Stroke& stroke);
-  void draw_hairlines(const View& view, const MeshBuffers& buffers, const Stroke& stroke);
+  void draw_hairlines(const View& view, const EdgeBuffers& edges, const Stroke& stroke);
   static void fill(std::vector<Pulled>& pool, std::size_t index,
                    const std::vector<glm::vec3>& places);
 

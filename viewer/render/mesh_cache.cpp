@@ -11,11 +11,11 @@ void fill(const GlBuffer& buffer, const std::vector<glm::vec3>& values, GLuint a
   glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
-double mean_length(const std::vector<glm::vec3>& ends) {
+double whole_length(const std::vector<glm::vec3>& ends) {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
     sum += static_cast<double>(glm::length(ends[i + 1] - ends[i]));
-  return ends.empty() ? 0 : sum / (static_cast<double>(ends.size()) / 2);
+  return sum;
 }
 
 std::unique_ptr<MeshBuffers> upload(const SurfaceMesh& mesh) {
@@ -23,25 +23,49 @@ std::unique_ptr<MeshBuffers> upload(const SurfaceMesh& mesh) {
   glBindVertexArray(made->triangles.id());
   fill(made->positions, mesh.positions, 0);
   fill(made->normals, mesh.normals, 1);
-  fill_pulled(made->ends, made->ends_texture, mesh.hard_edges, GL_STATIC_DRAW);
+  glBindVertexArray(0);
+  made->corners = static_cast<GLsizei>(mesh.positions.size());
+  return made;
+}
+
+std::unique_ptr<EdgeBuffers> upload(const std::vector<glm::vec3>& ends) {
+  auto made = std::make_unique<EdgeBuffers>();
+  fill_pulled(made->ends, made->ends_texture, ends, GL_STATIC_DRAW);
   glBindVertexArray(made->hairlines.id());
   glBindBuffer(GL_ARRAY_BUFFER, made->ends.id());
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
   glBindVertexArray(0);
-  made->corners = static_cast<GLsizei>(mesh.positions.size());
-  made->edge_ends = static_cast<GLsizei>(mesh.hard_edges.size());
-  made->edge_length = mean_length(mesh.hard_edges);
+  made->count = static_cast<GLsizei>(ends.size());
+  made->length = whole_length(ends);
   return made;
 }
 
 }  // namespace
 
-const MeshBuffers& MeshCache::buffers(const std::shared_ptr<const SurfaceMesh>& mesh) {
+MeshCache::Entry& MeshCache::entry(const std::shared_ptr<const SurfaceMesh>& mesh) {
   Entry& entry = entries_[mesh.get()];
   // Another mesh may have come to live where a dead one was.
-  if (!entry.buffers || entry.mesh.lock() != mesh) entry = {mesh, upload(*mesh)};
+  if (entry.mesh.lock() != mesh) entry = {mesh, nullptr, nullptr, nullptr};
+  return entry;
+}
+
+const MeshBuffers& MeshCache::buffers(const std::shared_ptr<const SurfaceMesh>& mesh) {
+  Entry& entry = this->entry(mesh);
+  if (!entry.buffers) entry.buffers = upload(*mesh);
   return *entry.buffers;
+}
+
+const EdgeBuffers& MeshCache::hard_edges(const std::shared_ptr<const SurfaceMesh>& mesh) {
+  Entry& entry = this->entry(mesh);
+  if (!entry.hard) entry.hard = upload(mesh->hard_edges);
+  return *entry.hard;
+}
+
+const EdgeBuffers& MeshCache::smooth_edges(const std::shared_ptr<const SurfaceMesh>& mesh) {
+  Entry& entry = this->entry(mesh);
+  if (!entry.smooth) entry.smooth = upload(mesh->smooth_edges);
+  return *entry.smooth;
 }
 
 void MeshCache::sweep() {

@@ -9,19 +9,25 @@
 
 namespace sectile::viewer {
 
+struct EdgeBuffers {
+  GlVertexArray hairlines;
+  GlBuffer ends;
+  GlTexture ends_texture;  ///< for segment.vert
+  GLsizei count = 0;       ///< of ends
+  double length = 0;       ///< of all together, in model units
+};
+
 struct MeshBuffers {
-  GlVertexArray triangles, hairlines;
-  GlBuffer positions, normals, ends;
-  GlTexture ends_texture;  ///< the ends of hard edges, for segment.vert
-  GLsizei corners = 0, edge_ends = 0;
-  double edge_length = 0;  ///< of hard edges, on average, in model units
-  /// Denser meshes are marked by their colour alone: an outline of all their edges takes a second.
-  bool can_be_outlined() const { return edge_ends <= 2 * 60000; }
+  GlVertexArray triangles;
+  GlBuffer positions, normals;
+  GLsizei corners = 0;
 };
 
 class MeshCache {
  public:
   const MeshBuffers& buffers(const std::shared_ptr<const SurfaceMesh>& mesh);
+  const EdgeBuffers& hard_edges(const std::shared_ptr<const SurfaceMesh>& mesh);
+  const EdgeBuffers& smooth_edges(const std::shared_ptr<const SurfaceMesh>& mesh);
   /// Drops what nobody holds any more.
   void sweep();
 
@@ -29,7 +35,9 @@ class MeshCache {
   struct Entry {
     std::weak_ptr<const SurfaceMesh> mesh;
     std::unique_ptr<MeshBuffers> buffers;
+    std::unique_ptr<EdgeBuffers> hard, smooth;  // made when first asked for
   };
+  Entry& entry(const std::shared_ptr<const SurfaceMesh>& mesh);
   std::map<const SurfaceMesh*, Entry> entries_;
 };
 

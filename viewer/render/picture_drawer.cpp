@@ -6,6 +6,7 @@ namespace sectile::viewer {
 namespace {
 
 constexpr int samples_at_rest = 4;
+constexpr double occlusion_radius = 0.16;  // of the size of the scene
 
 // A headlight, somewhat from the left and from above.
 glm::dvec3 key_light(const Camera& camera) {
@@ -15,6 +16,17 @@ glm::dvec3 key_light(const Camera& camera) {
 bool has(const Picture& picture, bool Surface::*what) {
   return std::any_of(picture.surfaces.begin(), picture.surfaces.end(),
                      [&](const Surface& surface) { return surface.mesh && surface.*what; });
+}
+
+bool has_opaque_faces(const Picture& picture) {
+  return std::any_of(picture.surfaces.begin(), picture.surfaces.end(), [](const Surface& surface) {
+    return surface.mesh && surface.faces && !surface.translucent && !surface.is_tool;
+  });
+}
+
+double size_of_scene(const Picture& picture) {
+  const Bounds box = picture.bounds();
+  return box.is_empty() ? 1 : box.radius();
 }
 
 void set_initial_state() {
@@ -67,27 +79,33 @@ void PictureDrawer::paint(const Picture& picture, const Viewport& viewport, floa
   Bounds depth_range = picture.bounds();
   if (picture.surroundings.show_grid || picture.surroundings.show_axes)
     depth_range.add(ground.bounds());
-  const glm::dmat4 to_clip =
-      picture.camera.projection(size.x / size.y, depth_range) * picture.camera.view();
-  const View view{picture, to_clip, size, scale, key_light(picture.camera)};
+  const Bounds shadow = picture.surroundings.show_shadow ? Shadow::place_of(picture) : Bounds();
+  if (!shadow.is_empty()) depth_range.add(shadow);
+  const glm::dmat4 projection = picture.camera.projection(size.x / size.y, depth_range);
+  const View view{picture, projection * picture.camera.view(), size, scale,
+                  key_light(picture.camera)};
 
+  set_initial_state();
+  if (!shadow.is_empty() && !view.is_fast()) shadow_.find(view);
   targets.bind_main();
   glViewport(0, 0, viewport.width, viewport.height);
-  set_initial_state();
   glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 
   marks_.take(view);
   ground_.draw_background(view);
+  if (ground.is_upright()) ground_.draw_ground(view, ground, marks_);
   surfaces_.draw_opaque(view);
-  ground_.draw_ground(view, ground, marks_);
+  if (!view.is_fast() && has_opaque_faces(picture))
+    occlusion_.darken(view, projection, occlusion_radius * size_of_scene(picture), targets);
+  surfaces_.draw_tools(view);
+  if (!shadow.is_empty()) shadow_.draw(view);
+  if (!ground.is_upright()) ground_.draw_ground(view, ground, marks_);
+  surfaces_.draw_tints(view);
   surfaces_.draw_translucent(view, targets);
   marks_.draw_hidden(view);
   if (has(picture, &Surface::translucent)) surfaces_.add_translucent_depth(view);
   marks_.draw_visible(view);
-  if (has(picture, &Surface::highlighted)) {
-    surfaces_.mark_highlighted(view);
-    marks_.draw_outlines(view);
-  }
+  outlines_.draw(view, targets);
 }
 
 }  // namespace sectile::viewer

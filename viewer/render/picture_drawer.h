@@ -6,7 +6,9 @@
 
 #include "render/ground.h"
 #include "render/marks.h"
-#include "render/surfaces.h"
+#include "render/occlusion.h"
+#include "render/outlines.h"
+#include "render/shadow.h"
 
 namespace sectile::viewer {
 
@@ -28,6 +30,9 @@ class PictureDrawer {
   SurfaceDrawer surfaces_{meshes_};
   MarkDrawer marks_{meshes_};
   GroundDrawer ground_;
+  Occlusion occlusion_;
+  Shadow shadow_{surfaces_};
+  OutlineDrawer outlines_{surfaces_};
   Kept fast_, full_;
 };
 

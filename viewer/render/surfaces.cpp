@@ -24,11 +24,12 @@ class SectionClipping {
 };
 
 // Coplanar faces of several surfaces would fight for the pixels: each surface lies a little in
-// front of those before it.
+// front of those before it, and those that yield behind all others.
 double depth_shift(const View& view, std::size_t index) {
   const double count = static_cast<double>(view.picture.surfaces.size());
   const double each = std::min(4e-6, 2e-4 / count);
-  return (count - static_cast<double>(index)) * each;
+  const double behind = view.picture.surfaces[index].yields ? 1e-4 : 0;
+  return (count - static_cast<double>(index)) * each + behind;
 }
 
 // In motion the back faces of closed surfaces are not drawn; only a section shows them.
@@ -48,6 +49,24 @@ class BackFaceCulling {
   bool active_;
 };
 
+// Pushed back a little, as opaque faces are, so that edges and other lines on the faces win.
+class PushedBack {
+ public:
+  explicit PushedBack(bool active) : active_(active) {
+    if (!active_) return;
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.6f, 4.0f);
+  }
+  ~PushedBack() {
+    if (active_) glDisable(GL_POLYGON_OFFSET_FILL);
+  }
+  PushedBack(const PushedBack&) = delete;
+  PushedBack& operator=(const PushedBack&) = delete;
+
+ private:
+  bool active_;
+};
+
 bool mirrors(const glm::dmat4& model) {
   return glm::determinant(glm::dmat3(model)) < 0;
 }
@@ -58,16 +77,19 @@ SurfaceDrawer::SurfaceDrawer(MeshCache& meshes)
     : meshes_(meshes),
       shaded_("surface.vert", "surface.frag"),
       depth_only_("surface.vert", "nothing.frag"),
+      mask_("surface.vert", "mask.frag"),
       peel_("surface.vert", "peel.frag"),
       peel_multisampled_("surface.vert", "peel.frag", "#define MULTISAMPLE\n") {}
 
 bool SurfaceDrawer::is_drawn(const Surface& surface, Which which) const {
-  return surface.mesh && surface.faces && surface.translucent == (which == Which::translucent);
+  if (!surface.mesh || !surface.faces) return false;
+  if (surface.translucent) return which == (surface.yields ? Which::tints : Which::translucent);
+  return which == (surface.is_tool ? Which::tools : Which::opaque);
 }
 
-void SurfaceDrawer::set_place(ShaderProgram& program, const View& view, const Surface& surface,
-                              double shift) {
-  program.set("model_to_clip", glm::mat4(view.to_clip * surface.model));
+void SurfaceDrawer::set_place(ShaderProgram& program, const View& view, const glm::dmat4& to_clip,
+                              const Surface& surface, double shift) {
+  program.set("model_to_clip", glm::mat4(to_clip * surface.model));
   program.set("kept_side", view.kept_side(surface.model));
   program.set("depth_shift", static_cast<float>(shift));
   glFrontFace(mirrors(surface.model) ? GL_CW : GL_CCW);
@@ -81,7 +103,8 @@ void SurfaceDrawer::set_look(ShaderProgram& program, const View& view, const Sur
   program.set("normal_to_world",
               glm::mat3(glm::transpose(glm::inverse(glm::dmat3(surface.model)))));
   program.set("key_light", glm::vec3(view.key_light));
-  program.set("alpha", surface.translucent ? surface.colour.a : 1.0f);
+  // Of opaque faces alpha says what is outlined.
+  program.set("alpha", surface.translucent ? surface.colour.a : surface.highlighted ? 1.0f : 0.0f);
   program.set("cut_open", view.picture.section.active && !surface.translucent ? 1 : 0);
   program.set("hatch_width", 7 * view.scale);
 }
@@ -98,31 +121,56 @@ void SurfaceDrawer::draw_all(ShaderProgram& program, const View& view, Which whi
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!is_drawn(surfaces[i], which)) continue;
     std::optional<BackFaceCulling> culling;
-    if (which == Which::opaque) culling.emplace(view, surfaces[i]);
-    set_place(program, view, surfaces[i], depth_shift(view, i));
+    if (which == Which::opaque || which == Which::tools) culling.emplace(view, surfaces[i]);
+    set_place(program, view, view.to_clip, surfaces[i], depth_shift(view, i));
     if (&program == &shaded_) set_look(program, view, surfaces[i]);
+    const PushedBack pushed_back(which == Which::opaque || which == Which::tints);
     draw_one(surfaces[i]);
   }
 }
 
 void SurfaceDrawer::draw_opaque(const View& view) {
-  // Pushed back a little, so that edges and other lines on the faces win.
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(1.6f, 4.0f);
   shaded_.use();
   draw_all(shaded_, view, Which::opaque);
-  glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void SurfaceDrawer::draw_tools(const View& view) {
+  shaded_.use();
+  draw_all(shaded_, view, Which::tools);
+}
+
+void SurfaceDrawer::draw_tints(const View& view) {
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glEnable(GL_CULL_FACE);
+  shaded_.use();
+  draw_all(shaded_, view, Which::tints);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+}
+
+bool SurfaceDrawer::is_dense(const Surface& surface) {
+  return meshes_.buffers(surface.mesh).corners > corners_to_peel_in_motion;
+}
+
+void SurfaceDrawer::draw_casters(const View& view, const glm::dmat4& to_clip) {
+  const SectionClipping clipping(view);
+  depth_only_.use();
+  for (const Surface& surface : view.picture.surfaces) {
+    if (!is_drawn(surface, Which::opaque)) continue;
+    set_place(depth_only_, view, to_clip, surface, 0);
+    draw_one(surface);
+  }
 }
 
 void SurfaceDrawer::add_translucent_depth(const View& view) {
   if (is_sorted(view)) return;
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(1.6f, 4.0f);
+  const PushedBack pushed_back(true);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   depth_only_.use();
   draw_all(depth_only_, view, Which::translucent);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 GLsizei SurfaceDrawer::translucent_corners(const View& view) {
@@ -209,7 +257,7 @@ void SurfaceDrawer::draw_sorted(const View& view) {
     for (const Place& place : order) {
       const Surface& surface = surfaces[place.index];
       if (culled == GL_FRONT && surface.mesh->closed && !view.picture.section.active) continue;
-      set_place(shaded_, view, surface, depth_shift(view, place.index));
+      set_place(shaded_, view, view.to_clip, surface, depth_shift(view, place.index));
       set_look(shaded_, view, surface);
       draw_one(surface);
     }
@@ -219,22 +267,16 @@ void SurfaceDrawer::draw_sorted(const View& view) {
   glDepthMask(GL_TRUE);
 }
 
-void SurfaceDrawer::mark_highlighted(const View& view) {
+void SurfaceDrawer::draw_mask(const View& view, const Surface& surface, bool through) {
   const SectionClipping clipping(view);
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  glDisable(GL_DEPTH_TEST);
-  glEnable(GL_STENCIL_TEST);
-  glStencilFunc(GL_ALWAYS, 1, 255);
-  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-  depth_only_.use();
-  for (const Surface& surface : view.picture.surfaces) {
-    if (!surface.mesh || !surface.highlighted) continue;
-    if (!meshes_.buffers(surface.mesh).can_be_outlined()) continue;
-    set_place(depth_only_, view, surface, 0);
-    draw_one(surface);
-  }
-  glDisable(GL_STENCIL_TEST);
-  glEnable(GL_DEPTH_TEST);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  glDepthMask(GL_FALSE);
+  glDepthFunc(through ? GL_ALWAYS : GL_LEQUAL);
+  mask_.use();
+  set_place(mask_, view, view.to_clip, surface, -1e-4);
+  draw_one(surface);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 

@@ -12,17 +12,27 @@ class SurfaceDrawer {
  public:
   explicit SurfaceDrawer(MeshCache& meshes);
 
+  /// Handles apart: they are drawn when the light is done.
   void draw_opaque(const View& view);
+  void draw_tools(const View& view);
+  /// Translucent surfaces that yield: their front faces, where no opaque face is in their place.
+  void draw_tints(const View& view);
+  /// Too dense to be drawn once more than need be while something moves.
+  bool is_dense(const Surface& surface);
+  /// The depth of what casts shadows, alone, as `to_clip` has it.
+  void draw_casters(const View& view, const glm::dmat4& to_clip);
   /// Over what the targets hold.
   void draw_translucent(const View& view, Targets& targets);
   /// Adds the depth of the translucent faces to that of the opaque ones.
   void add_translucent_depth(const View& view);
-  /// Sets the stencil to one where a highlighted surface is, whatever hides it.
-  void mark_highlighted(const View& view);
+  /// Sets alpha to one where the surface is and leaves the colour: everywhere, or where nothing
+  /// hides it.
+  void draw_mask(const View& view, const Surface& surface, bool through);
 
  private:
-  enum class Which { opaque, translucent };
-  void set_place(ShaderProgram& program, const View& view, const Surface& surface, double shift);
+  enum class Which { opaque, tools, tints, translucent };
+  void set_place(ShaderProgram& program, const View& view, const glm::dmat4& to_clip,
+                 const Surface& surface, double shift);
   void set_look(ShaderProgram& program, const View& view, const Surface& surface);
   void draw_all(ShaderProgram& program, const View& view, Which which);
   void draw_one(const Surface& surface);
@@ -34,7 +44,7 @@ class SurfaceDrawer {
   void draw_sorted(const View& view);
 
   MeshCache& meshes_;
-  ShaderProgram shaded_, depth_only_, peel_, peel_multisampled_;
+  ShaderProgram shaded_, depth_only_, mask_, peel_, peel_multisampled_;
   GlQuery any_pixel_;
 };
 

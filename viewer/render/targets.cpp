@@ -20,14 +20,6 @@ Targets::Targets(int width, int height, int samples)
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, kind(), colour_.id(), 0);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, kind(), depth_.id(), 0);
   check_complete();
-  if (!is_multisampled()) return;
-  resolved_ = std::make_unique<Resolved>();
-  glBindTexture(GL_TEXTURE_2D, resolved_->colour.id());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  glBindFramebuffer(GL_FRAMEBUFFER, resolved_->framebuffer.id());
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                         resolved_->colour.id(), 0);
-  check_complete();
 }
 
 void Targets::allocate(const GlTexture& texture, GLenum format) const {
@@ -67,14 +59,57 @@ void Targets::bind_depth_texture(int which) const {
                 which < 0 ? depth_.id() : layers_.at(static_cast<std::size_t>(which))->depth.id());
 }
 
+Targets::Flat& Targets::flat(std::unique_ptr<Flat>& one, GLenum format) {
+  if (one) return *one;
+  one = std::make_unique<Flat>();
+  const bool is_depth = format == GL_DEPTH24_STENCIL8;
+  glBindTexture(GL_TEXTURE_2D, one->texture.id());
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width_, height_, 0,
+               is_depth ? GL_DEPTH_STENCIL : GL_RGBA,
+               is_depth ? GL_UNSIGNED_INT_24_8 : GL_UNSIGNED_BYTE, nullptr);
+  const GLint filter = is_depth ? GL_NEAREST : GL_LINEAR;
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glBindFramebuffer(GL_FRAMEBUFFER, one->framebuffer.id());
+  glFramebufferTexture2D(GL_FRAMEBUFFER,
+                         is_depth ? GL_DEPTH_STENCIL_ATTACHMENT : GL_COLOR_ATTACHMENT0,
+                         GL_TEXTURE_2D, one->texture.id(), 0);
+  if (is_depth) {
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+  }
+  check_complete();
+  return *one;
+}
+
+void Targets::flatten(const Flat& to, int x, int y, int width, int height, GLenum what) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, main_.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer.id());
+  glBlitFramebuffer(x, y, x + width, y + height, x, y, x + width, y + height, what, GL_NEAREST);
+}
+
+void Targets::bind_flat_colour(int x, int y, int width, int height) {
+  const Flat& copy = flat(flat_colour_, GL_RGBA8);
+  flatten(copy, x, y, width, height, GL_COLOR_BUFFER_BIT);
+  bind_main();
+  glBindTexture(GL_TEXTURE_2D, copy.texture.id());
+}
+
+void Targets::bind_flat_depth() {
+  const Flat& copy = flat(flat_depth_, GL_DEPTH24_STENCIL8);
+  flatten(copy, 0, 0, width_, height_, GL_DEPTH_BUFFER_BIT);
+  bind_main();
+  glBindTexture(GL_TEXTURE_2D, copy.texture.id());
+}
+
 void Targets::show(int x, int y) {
   GLuint from = main_.id();
-  if (resolved_) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_->framebuffer.id());
-    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
-                      GL_NEAREST);
-    from = resolved_->framebuffer.id();
+  if (is_multisampled()) {
+    const Flat& copy = flat(flat_colour_, GL_RGBA8);
+    flatten(copy, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT);
+    from = copy.framebuffer.id();
   }
   glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);

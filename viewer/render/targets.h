@@ -24,6 +24,10 @@ class Targets {
   void bind_layer(int which);
   /// Binds the depth of the opaque surfaces (-1) or of a layer for reading by shaders.
   void bind_depth_texture(int which) const;
+  /// Copies a part of the colour, or the depth, without its samples, and binds the copy for reading
+  /// by shaders. What is drawn goes to the main picture again.
+  void bind_flat_colour(int x, int y, int width, int height);
+  void bind_flat_depth();
   /// Copies the colour into the frame buffer of the context; the place is from the lower left.
   void show(int x, int y);
 
@@ -39,11 +43,14 @@ class Targets {
     GlFramebuffer framebuffer;
   };
   std::array<std::unique_ptr<Layer>, 2> layers_;
-  struct Resolved {
-    GlTexture colour;
+  // Without samples.
+  struct Flat {
+    GlTexture texture;
     GlFramebuffer framebuffer;
   };
-  std::unique_ptr<Resolved> resolved_;  // only if multisampled
+  Flat& flat(std::unique_ptr<Flat>& one, GLenum format);
+  void flatten(const Flat& to, int x, int y, int width, int height, GLenum what) const;
+  std::unique_ptr<Flat> flat_colour_, flat_depth_;  // made when first asked for
 };
 
 }  // namespace sectile::viewer

@@ -80,6 +80,7 @@ class Drawing {
     made.mesh = std::make_shared<const SurfaceMesh>(std::move(mesh));
     made.colour = colour_of(i, is_active(first, i));
     made.edges = false;
+    made.is_tool = true;
     made_.surfaces.push_back(std::move(made));
   }
 

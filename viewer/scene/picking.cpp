@@ -51,6 +51,25 @@ double largest_stretch(const glm::dmat4& m) {
   return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
 }
 
+std::size_t edge_count(const SurfaceMesh& mesh) {
+  return (mesh.hard_edges.size() + mesh.smooth_edges.size()) / 2;
+}
+
+// Of the hard edges, then of the smooth ones: two for each.
+const glm::vec3& edge_end(const SurfaceMesh& mesh, std::size_t i) {
+  return i < mesh.hard_edges.size() ? mesh.hard_edges[i]
+                                    : mesh.smooth_edges[i - mesh.hard_edges.size()];
+}
+
+// The mesh's own normals are those of bent surfaces.
+glm::dvec3 normal_of_triangle(const SurfaceMesh& mesh, std::size_t triangle) {
+  const glm::vec3* corner = &mesh.positions[3 * triangle];
+  const glm::dvec3 a(corner[0]),
+      normal = glm::cross(glm::dvec3(corner[1]) - a, glm::dvec3(corner[2]) - a);
+  const double length = glm::length(normal);
+  return length > 0 ? normal / length : glm::dvec3(mesh.normals[3 * triangle]);
+}
+
 }  // namespace
 
 struct Picker::Trees {
@@ -65,9 +84,9 @@ const Picker::Trees& Picker::trees_of(const std::shared_ptr<const SurfaceMesh>& 
   std::erase_if(trees_, [](const auto& item) { return item.second->mesh.expired(); });
   std::unique_ptr<Trees>& trees = trees_[mesh.get()];
   if (!trees) {
-    std::vector<FloatBox> triangles(mesh->positions.size() / 3), edges(mesh->hard_edges.size() / 2);
+    std::vector<FloatBox> triangles(mesh->positions.size() / 3), edges(edge_count(*mesh));
     for (std::size_t i = 0; i < 3 * triangles.size(); ++i) triangles[i / 3].add(mesh->positions[i]);
-    for (std::size_t i = 0; i < 2 * edges.size(); ++i) edges[i / 2].add(mesh->hard_edges[i]);
+    for (std::size_t i = 0; i < 2 * edges.size(); ++i) edges[i / 2].add(edge_end(*mesh, i));
     trees = std::make_unique<Trees>(Trees{mesh, BoxTree(triangles), BoxTree(edges)});
   }
   return *trees;
@@ -89,7 +108,7 @@ std::optional<Hit> Picker::pick(const Ray& ray, const std::vector<PickTarget>& t
           nearest = t;
           found = Hit{target.node, {}, {}, t, i, target.mesh->faces[i]};
           found->normal = glm::normalize(glm::transpose(glm::inverse(glm::dmat3(target.model))) *
-                                         glm::dvec3(target.mesh->normals[3 * i]));
+                                         normal_of_triangle(*target.mesh, i));
         });
   }
   if (found) found->point = ray.origin + found->distance * ray.direction;
@@ -140,9 +159,9 @@ std::optional<PickedFeature> Picker::pick_feature(const Camera& camera, glm::dve
     const double margin = world_margin * largest_stretch(glm::inverse(target.model));
     trees_of(target.mesh)
         .edges.along(local.origin, local.direction, margin, farthest, [&](std::uint32_t i) {
-          const auto& hard = target.mesh->hard_edges;
-          consider(target,
-                   {placed(target.model, hard[2 * i]), placed(target.model, hard[2 * i + 1])});
+          const SurfaceMesh& mesh = *target.mesh;
+          consider(target, {placed(target.model, edge_end(mesh, 2 * i)),
+                            placed(target.model, edge_end(mesh, 2 * i + 1))});
         });
   }
   if (vertex) return vertex;

@@ -64,10 +64,11 @@ float draw_menu_bar(PanelContext& context) {
   command_menu(context, "menu.operations", "Operations",
                {"operation.unite", "operation.intersect", "operation.subtract", "operation.split",
                 "-", "mode.model", "mode.steps"});
-  command_menu(context, "menu.view", "View",
-               {"view.frame", "view.all", "view.front", "view.right", "view.top",
-                "view.orthographic", "-", "view.wireframe", "view.labels", "view.eight_way",
-                "view.section", "view.grid", "view.axes", "-", "view.dark", "view.panel"});
+  command_menu(
+      context, "menu.view", "View",
+      {"view.frame", "view.all", "view.front", "view.right", "view.top", "view.orthographic", "-",
+       "view.wireframe", "view.hidden_lines", "view.labels", "view.eight_way", "view.section",
+       "view.grid", "view.axes", "-", "view.dark", "view.panel"});
   samples_menu(context);
   command_menu(context, "menu.help", "Help", {"help.keys", "help.hints", "help.about"});
   ImGui::EndMainMenuBar();

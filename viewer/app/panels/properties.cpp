@@ -119,7 +119,7 @@ class Fields {
     for (const Operation operation :
          {Operation::unite, Operation::intersect, Operation::subtract}) {
       if (operation != Operation::unite) ImGui::SameLine(0, 4);
-      if (button(context_, "properties." + name_of(operation), sign_of(operation),
+      if (button(context_, "properties." + name_of(operation), icon_of(operation),
                  capitalised(name_of(operation)) + " the solids below", true, width,
                  node.operation == operation)) {
         node.operation = operation;

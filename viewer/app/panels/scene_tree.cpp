@@ -103,7 +103,7 @@ class Tree {
 
   std::string label(const Node& node) const {
     std::string sign;
-    if (const auto* b = std::get_if<BooleanNode>(&node.what)) sign = sign_of(b->operation) + "  ";
+    if (const auto* b = std::get_if<BooleanNode>(&node.what)) sign = icon_of(b->operation) + "  ";
     if (std::holds_alternative<SplitNode>(node.what)) sign = std::string(icons::scissors) + "  ";
     if (std::holds_alternative<Group>(node.what)) sign = std::string(icons::group) + "  ";
     return sign + node.name;

@@ -70,13 +70,16 @@ void draw_view_panel(PanelContext& context) {
   const float second = ImGui::GetContentRegionAvail().x * 0.52f;
   checkbox(context, "view.labels", "Labels", view.labels, "Names vertices in the picture (T)");
   ImGui::SameLine(second);
-  checkbox(context, "view.wireframe", "Wireframe", view.wireframe, "Draws edges only (W)");
+  checkbox(context, "view.wireframe", "Wireframe", view.wireframe,
+           "Draws all edges and no faces (W)");
+  checkbox(context, "view.hidden_lines", "Hidden lines", view.hidden_lines,
+           "Draws edges behind faces too, faintly (Shift+H)");
+  ImGui::SameLine(second);
   checkbox(context, "view.eight_way", "Eight-way", view.eight_way,
            "In the steps: colours the parts that lie on the other solid too (E)");
-  ImGui::SameLine(second);
   checkbox(context, "view.grid", "Grid", view.grid);
-  checkbox(context, "view.axes", "Axes", view.axes);
   ImGui::SameLine(second);
+  checkbox(context, "view.axes", "Axes", view.axes);
   checkbox(context, "view.dark", "Dark", view.dark);
   checkbox(context, "view.orthographic", "No perspective", session.camera.orthographic,
            "Parallel lines stay parallel (5)");
