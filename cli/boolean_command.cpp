@@ -36,7 +36,7 @@ ExitCode run(const Arguments& arguments, Operation operation, const Options& opt
   check_inputs(arguments.operands);
   check_mesh_outputs({arguments.output}, options);
   Progress progress(!options.quiet);
-  const Operands operands{arguments.operands, read_solids(arguments.operands, options, progress)};
+  const Operands operands = read_operands(arguments.operands, options, progress);
 
   progress.stage(words_for(operation).name);
   const auto written = compute_and_write(

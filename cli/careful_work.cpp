@@ -1,6 +1,5 @@
 #include "careful_work.h"
 
-#include "input.h"
 #include "interrupt.h"
 #include "problem.h"
 #include "write_solids.h"
@@ -43,7 +42,7 @@ std::vector<Written> compute_and_write(
     const std::vector<Solid> results = work(how);
     if (options.validate) require_legal_results(operands, results);
     interrupt.check();
-    written = write_solids(outputs, results, options, progress, interrupt);
+    written = write_solids(outputs, results, operands.unit, options, progress, interrupt);
   });
   return written;
 }

@@ -6,18 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "input.h"
 #include "options.h"
 #include "progress.h"
 #include "sectile/boolean.h"
 #include "summary.h"
 
 namespace sectile::cli {
-
-/// Operands and the names of their files.
-struct Operands {
-  std::vector<std::string> names;
-  std::vector<Solid> solids;
-};
 
 /// Calls `work`. An internal error in it is a defect of the library only if the operands are legal;
 /// if one is not, IllegalInput is thrown instead.

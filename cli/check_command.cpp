@@ -43,7 +43,7 @@ ExitCode run(const std::string& name, const Options& options) {
   check_inputs({name});
   Progress progress(!options.quiet);
   progress.stage("reading " + name);
-  const PolygonMesh mesh = read_input(name, options);
+  const PolygonMesh mesh = joined(read_input(name, options), name);
   progress.stage("checking " + name);
   try {
     const Solid solid = import_input(name, mesh, true);

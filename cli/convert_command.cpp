@@ -16,27 +16,58 @@ struct Arguments {
   bool keep_faces = false;
 };
 
-bool is_stl(FileFormat format) {
-  return format == FileFormat::stl_text || format == FileFormat::stl_binary;
+bool holds_only_triangles(FileFormat format) {
+  return format == FileFormat::stl_text || format == FileFormat::stl_binary ||
+         format == FileFormat::three_mf;
 }
 
-ExitCode run(const Arguments& arguments, const Options& options) {
-  check_inputs({arguments.input});
-  check_mesh_outputs({arguments.output}, options);
-  if (arguments.keep_faces && is_stl(output_format(arguments.output, options)))
-    throw UsageError("STL holds only triangles; leave --keep-faces out");
-  Progress progress(!options.quiet);
-  progress.stage("reading " + arguments.input);
-  const PolygonMesh mesh = read_input(arguments.input, options);
-  const Solid solid = import_input(arguments.input, mesh, options.validate);
+// Each solid by itself, with its name.
+std::vector<Written> convert_parts(const Arguments& arguments, const Model& model,
+                                   const Options& options, Progress& progress) {
+  Operands operands;
+  std::vector<NamedSolid> parts;
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+    const auto& [name, mesh] = model.meshes[i];
+    const std::string part = part_name(name, i, model.meshes.size());
+    operands.names.push_back(arguments.input + (part.empty() ? "" : "#" + part));
+    operands.solids.push_back(import_input(operands.names.back(), mesh, options.validate));
+    parts.push_back({name, operands.solids.back()});
+  }
+  const Interrupt interrupt;
+  std::vector<Written> written;
+  blame_illegal_operands(operands, [&] {
+    written = write_parts(arguments.output, parts, model.unit, options, progress, interrupt);
+  });
+  return written;
+}
 
+// Several solids become one, where the format holds no more.
+std::vector<Written> convert_whole(const Arguments& arguments, const PolygonMesh& mesh,
+                                   LengthUnit unit, const Options& options, Progress& progress) {
+  const Solid solid = import_input(arguments.input, mesh, options.validate);
   const Interrupt interrupt;
   std::vector<Written> written;
   blame_illegal_operands({{arguments.input}, {solid}}, [&] {
     written = arguments.keep_faces
                   ? write_faces(arguments.output, solid, mesh, options, interrupt)
-                  : write_solids({arguments.output}, {solid}, options, progress, interrupt);
+                  : write_solids({arguments.output}, {solid}, unit, options, progress, interrupt);
   });
+  return written;
+}
+
+ExitCode run(const Arguments& arguments, const Options& options) {
+  check_inputs({arguments.input});
+  check_mesh_outputs({arguments.output}, options);
+  const FileFormat format = output_format(arguments.output, options);
+  if (arguments.keep_faces && holds_only_triangles(format))
+    throw UsageError("STL and 3MF hold only triangles; leave --keep-faces out");
+  Progress progress(!options.quiet);
+  progress.stage("reading " + arguments.input);
+  const Model model = read_input(arguments.input, options);
+  const auto written =
+      format == FileFormat::three_mf
+          ? convert_parts(arguments, model, options, progress)
+          : convert_whole(arguments, joined(model, arguments.input), model.unit, options, progress);
   report("convert", {arguments.input}, written, options);
   return ExitCode::done;
 }
@@ -49,7 +80,7 @@ Command add_convert_command(CLI::App& program, Options& options) {
   add_text(*app, "input", arguments->input, "file of the solid; - is standard input", "IN");
   add_text(*app, "-o,--output", arguments->output, "file to write; - is standard output", "OUT");
   add_switch(*app, "--keep-faces", arguments->keep_faces,
-             "write positions and polygons as they were read, not triangles (not for STL)");
+             "write positions and polygons as they were read, not triangles (not for STL and 3MF)");
   add_input_format(*app, options);
   add_output_format(*app, options);
   add_validate(*app, options, "check also that no faces cross, and the file written");

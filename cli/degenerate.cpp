@@ -87,9 +87,10 @@ Vec3 to_floats(const Vec3& p) {
 
 std::size_t count_degenerate_triangles(const PolygonMesh& triangles, FileFormat format) {
   std::size_t count = 0;
+  const bool floats = format == FileFormat::stl_binary || format == FileFormat::three_mf;
   const auto position = [&](std::size_t corner) {
     const Vec3& p = triangles.positions[triangles.indices[corner]];
-    return format == FileFormat::stl_binary ? to_floats(p) : p;
+    return floats ? to_floats(p) : p;
   };
   for (std::size_t i = 0; i + 2 < triangles.indices.size(); i += 3)
     count += is_degenerate(position(i), position(i + 1), position(i + 2));

@@ -6,8 +6,8 @@ namespace sectile::cli {
 namespace {
 
 // In the order of FileFormat, then the other names for the same.
-const std::vector<std::string> names{"obj",      "stl-text",   "stl-binary", "off",
-                                     "ply-text", "ply-binary", "stl",        "ply"};
+const std::vector<std::string> names{"obj",        "stl-text", "stl-binary", "off", "ply-text",
+                                     "ply-binary", "3mf",      "stl",        "ply"};
 
 }  // namespace
 
@@ -23,6 +23,13 @@ FileFormat format_named(const std::string& name) {
 
 const std::string& name_of(FileFormat format) {
   return names[static_cast<std::size_t>(format)];
+}
+
+const std::string& name_of(LengthUnit unit) {
+  // In the order of LengthUnit.
+  static const std::vector<std::string> units{"micron", "millimeter", "centimeter",
+                                              "inch",   "foot",       "meter"};
+  return units[static_cast<std::size_t>(unit)];
 }
 
 }  // namespace sectile::cli

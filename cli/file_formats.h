@@ -1,4 +1,4 @@
-// The names of file formats on the command line.
+// The names of file formats and units on the command line.
 #pragma once
 
 #include <string>
@@ -12,5 +12,7 @@ const std::vector<std::string>& format_names();
 /// The name must be one of format_names().
 FileFormat format_named(const std::string& name);
 const std::string& name_of(FileFormat format);
+/// As 3MF calls them.
+const std::string& name_of(LengthUnit unit);
 
 }  // namespace sectile::cli

@@ -86,27 +86,64 @@ std::string kind_of(FileFormat format) {
   return name.substr(0, name.find('-'));
 }
 
+class Description {
+ public:
+  Description(const std::string& name, const Options& options)
+      : name_(name), options_(options), in_words_(!options.json && !options.quiet) {}
+
+  void run(const Model& model) {
+    const FileFormat format = input_format(name_, options_);
+    const MeshFacts facts = facts_of(joined(model, name_));
+    Json json = json_of(name_, kind_of(format), facts);
+    if (in_words_) print_facts(name_, kind_of(format), facts);
+    if (format == FileFormat::three_mf) {
+      json["unit"] = name_of(model.unit);
+      if (in_words_) std::cout << "  unit: " << name_of(model.unit) << '\n';
+      json["solids"] = Json::array();
+      for (std::size_t i = 0; i < model.meshes.size(); ++i)
+        json["solids"].push_back(one_of_several(model.meshes[i], i));
+    } else {
+      add_solid(json, name_, model.meshes.front().mesh);
+    }
+    if (options_.json) std::cout << json.dump() << '\n';
+  }
+
+ private:
+  Json one_of_several(const NamedMesh& part, std::size_t index) const {
+    Json json{{"number", index + 1},
+              {"name", part.name},
+              {"positions", part.mesh.positions.size()},
+              {"faces", part.mesh.face_sizes.size()}};
+    if (in_words_)
+      std::cout << "  " << index + 1 << ": " << (part.name.empty() ? "without a name" : part.name)
+                << '\n';
+    add_solid(json, part.name, part.mesh);
+    return json;
+  }
+
+  void add_solid(Json& json, const std::string& name, const PolygonMesh& mesh) const {
+    try {
+      const Solid solid = import_input(name, mesh, false);
+      json["solid"] = to_json(solid);
+      if (in_words_) print_solid(solid);
+    } catch (const IllegalInput& error) {
+      const Problem& problem = error.problems().front();
+      json["solid"] = nullptr;
+      json["problem"] = to_json(problem);
+      if (in_words_) std::cout << "  not a legal solid: " << cli::in_words(problem) << '\n';
+    }
+  }
+
+  const std::string& name_;
+  const Options& options_;
+  bool in_words_;
+};
+
 ExitCode run(const std::string& name, const Options& options) {
   check_inputs({name});
   Progress progress(!options.quiet);
   progress.stage("reading " + name);
-  const PolygonMesh mesh = read_input(name, options);
-  const std::string kind = kind_of(input_format(name, options));
-  const MeshFacts facts = facts_of(mesh);
-  Json json = json_of(name, kind, facts);
-  if (!options.json && !options.quiet) print_facts(name, kind, facts);
-  try {
-    const Solid solid = import_input(name, mesh, false);
-    json["solid"] = to_json(solid);
-    if (!options.json && !options.quiet) print_solid(solid);
-  } catch (const IllegalInput& error) {
-    const Problem& problem = error.problems().front();
-    json["solid"] = nullptr;
-    json["problem"] = to_json(problem);
-    if (!options.json && !options.quiet)
-      std::cout << "  not a legal solid: " << cli::in_words(problem) << '\n';
-  }
-  if (options.json) std::cout << json.dump() << '\n';
+  Description(name, options).run(read_input(name, options));
   return ExitCode::done;
 }
 

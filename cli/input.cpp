@@ -1,10 +1,12 @@
 #include "input.h"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 
+#include "file_formats.h"
 #include "problem.h"
 #include "sectile/validate.h"
 
@@ -38,6 +40,51 @@ void require_content(const std::string& name) {
     throw FileError(name + ":1: the file is empty");
 }
 
+struct NameParts {
+  std::string file, part;
+};
+
+// A part can be asked for only of 3MF; other names may hold # as they like.
+NameParts parts_of(const std::string& name) {
+  std::error_code ignored;
+  const std::size_t at = name.rfind('#');
+  if (at == std::string::npos || std::filesystem::exists(name, ignored)) return {name, {}};
+  const std::string file = name.substr(0, at);
+  if (!has_known_extension(file) || format_of(file) != FileFormat::three_mf) return {name, {}};
+  return {file, name.substr(at + 1)};
+}
+
+const NamedMesh& the_part(const Model& model, const std::string& file, const std::string& part) {
+  const NamedMesh* found = nullptr;
+  for (const NamedMesh& mesh : model.meshes) {
+    if (mesh.name != part) continue;
+    if (found != nullptr)
+      throw FileError(file + ": several solids are named \"" + part + "\"; use their numbers");
+    found = &mesh;
+  }
+  if (found != nullptr) return *found;
+  std::size_t number = 0;
+  const char* end = part.data() + part.size();
+  if (std::from_chars(part.data(), end, number).ptr == end && number >= 1 &&
+      number <= model.meshes.size())
+    return model.meshes[number - 1];
+  throw FileError(file + ": there is no solid \"" + part + "\"; sectile info lists all " +
+                  std::to_string(model.meshes.size()));
+}
+
+Model read_file(const std::string& name, const Options& options) {
+  if (is_standard(name)) {
+    if (std::cin.peek() == std::istream::traits_type::eof())
+      throw FileError("standard input:1: the file is empty");
+    return read_model(std::cin, input_format(name, options), "standard input");
+  }
+  require_content(name);
+  if (has_known_extension(name) || !options.input_format) return read_model(name);
+  std::ifstream in(name, std::ios::binary);
+  if (!in) throw FileError(name + ": cannot open");
+  return read_model(in, *options.input_format, name);
+}
+
 }  // namespace
 
 void check_inputs(const std::vector<std::string>& names) {
@@ -47,21 +94,20 @@ void check_inputs(const std::vector<std::string>& names) {
 
 FileFormat input_format(const std::string& name, const Options& options) {
   if (is_standard(name)) return options.input_format.value_or(FileFormat::obj);
-  if (options.input_format && !has_known_extension(name)) return *options.input_format;
-  return format_of(name);
+  const std::string file = parts_of(name).file;
+  if (options.input_format && !has_known_extension(file)) return *options.input_format;
+  return format_of(file);
 }
 
-PolygonMesh read_input(const std::string& name, const Options& options) {
-  if (is_standard(name)) {
-    if (std::cin.peek() == std::istream::traits_type::eof())
-      throw FileError("standard input:1: the file is empty");
-    return read_mesh(std::cin, input_format(name, options), "standard input");
-  }
-  require_content(name);
-  if (has_known_extension(name) || !options.input_format) return read_mesh(name);
-  std::ifstream in(name, std::ios::binary);
-  if (!in) throw FileError(name + ": cannot open");
-  return read_mesh(in, *options.input_format, name);
+Model read_input(const std::string& name, const Options& options) {
+  const auto [file, part] = parts_of(name);
+  Model model = read_file(file, options);
+  if (!part.empty()) model.meshes = {the_part(model, file, part)};
+  return model;
+}
+
+std::string part_name(const std::string& name, std::size_t index, std::size_t count) {
+  return !name.empty() || count == 1 ? name : std::to_string(index + 1);
 }
 
 Solid import_input(const std::string& name, const PolygonMesh& mesh, bool validate) {
@@ -74,15 +120,24 @@ Solid import_input(const std::string& name, const PolygonMesh& mesh, bool valida
   }
 }
 
-std::vector<Solid> read_solids(const std::vector<std::string>& names, const Options& options,
-                               Progress& progress) {
-  std::vector<Solid> solids;
-  solids.reserve(names.size());
+Operands read_operands(const std::vector<std::string>& names, const Options& options,
+                       Progress& progress) {
+  Operands operands{names, {}, LengthUnit::millimeter};
+  std::optional<LengthUnit> unit;
   for (const std::string& name : names) {
     progress.stage("reading " + name);
-    solids.push_back(import_input(name, read_input(name, options), options.validate));
+    const Model model = read_input(name, options);
+    if (input_format(name, options) == FileFormat::three_mf) {
+      if (unit && *unit != model.unit)
+        throw UsageError(name + " is in the unit " + name_of(model.unit) +
+                         ", other operands are in the unit " + name_of(*unit));
+      unit = model.unit;
+    }
+    const PolygonMesh mesh = joined(model, in_messages(name));
+    operands.solids.push_back(import_input(name, mesh, options.validate));
   }
-  return solids;
+  operands.unit = unit.value_or(LengthUnit::millimeter);
+  return operands;
 }
 
 void require_legal(const std::string& name, const Solid& solid) {

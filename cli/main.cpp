@@ -15,12 +15,14 @@ constexpr const char* examples = R"(Examples:
   sectile subtract block.off drill1.off drill2.off -o drilled.stl
   sectile split part.obj --plane 0,0,1,-10 -o above.obj below.obj
   sectile check part.stl --json
+  sectile convert parts.3mf#lid -o lid.off
   sectile convert part.ply -o - --output-format stl-text > part.stl
   unzip -p parts.zip part.stl | sectile intersect - box.off --input-format stl -o cut.off
   sectile trace a.obj b.obj --op subtract -o trace.json
 
-Files are OBJ, STL, OFF or PLY by their extension; - is standard input or output,
-OBJ unless --input-format or --output-format says otherwise.
+Files are OBJ, STL, OFF, PLY or 3MF by their extension; - is standard input or output,
+OBJ unless --input-format or --output-format says otherwise. parts.3mf#lid is one of several
+solids in a 3MF file, by name or number (sectile info lists them).
 Outputs appear whole or not at all.
 Exit codes: 0 done, 1 an input is not a legal solid, 2 wrong usage,
   3 a file cannot be read or written, 4 internal error or out of memory.

@@ -38,13 +38,13 @@ void add_validate(CLI::App& command, Options& options, const std::string& help) 
 void add_input_format(CLI::App& command, Options& options) {
   add_format(command, "--input-format", options.input_format,
              "format of standard input (-; default: obj) and of inputs whose extension is unknown: "
-             "obj, stl, off or ply; text and binary are told apart by content");
+             "obj, stl, off, ply or 3mf; text and binary are told apart by content");
 }
 
 void add_output_format(CLI::App& command, Options& options) {
   add_format(command, "--output-format", options.output_format,
              "format of the output whatever its extension (default for -: obj): "
-             "obj, stl (binary), stl-text, off, ply (text) or ply-binary");
+             "obj, stl (binary), stl-text, off, ply (text), ply-binary or 3mf");
 }
 
 }  // namespace sectile::cli

@@ -80,11 +80,11 @@ FileFormat output_format(const std::string& name, const Options& options) {
   return is_standard(name) ? FileFormat::obj : format_of(name);
 }
 
-Output rendered(const std::string& name, const PolygonMesh& mesh, const Options& options) {
+Output rendered(const std::string& name, const Model& model, const Options& options) {
   const FileFormat format = output_format(name, options);
   std::ostringstream out;
   out.exceptions(std::ios::badbit);  // a stream would hide that memory ran out
-  write_mesh(out, format, mesh, name);
+  write_model(out, format, model, name);
   return {name, std::move(out).str()};
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "options.h"
-#include "sectile/mesh.h"
+#include "sectile/files.h"
 
 namespace sectile::cli {
 
@@ -23,8 +23,8 @@ void check_mesh_outputs(const std::vector<std::string>& names, const Options& op
 
 FileFormat output_format(const std::string& name, const Options& options);
 
-/// Throws FileError if the format cannot hold the mesh.
-Output rendered(const std::string& name, const PolygonMesh& mesh, const Options& options);
+/// Throws FileError if the format cannot hold the model.
+Output rendered(const std::string& name, const Model& model, const Options& options);
 
 /// Throws FileError; then nothing was changed.
 void write_outputs(const std::vector<Output>& outputs);

@@ -40,7 +40,7 @@ ExitCode run(const Arguments& arguments, const Options& options) {
   check_inputs({arguments.operand});
   check_mesh_outputs(arguments.outputs, options);
   Progress progress(!options.quiet);
-  const Operands operands{{arguments.operand}, read_solids({arguments.operand}, options, progress)};
+  const Operands operands = read_operands({arguments.operand}, options, progress);
 
   progress.stage("split");
   const auto written = compute_and_write(

@@ -28,9 +28,13 @@ Json to_json(const Solid& solid) {
           {"volume", solid.volume()},    {"area", solid.area()}};
 }
 
+std::string name_of(const Written& written) {
+  return written.part.empty() ? written.file : written.file + "#" + written.part;
+}
+
 std::string in_words(const Written& written) {
   const SolidCounts counts = written.solid.counts();
-  return written.file + ": " + counted(counts.vertices, "vertex", "vertices") + ", " +
+  return name_of(written) + ": " + counted(counts.vertices, "vertex", "vertices") + ", " +
          counted(counts.faces, "face") + ", " + counted(written.triangles, "triangle") +
          ", volume " + in_words(written.solid.volume()) + ", area " +
          in_words(written.solid.area()) + ", " + counted(counts.shells, "shell") + "; " +
@@ -39,6 +43,7 @@ std::string in_words(const Written& written) {
 
 Json to_json(const Written& written) {
   Json json{{"file", written.file}};
+  if (!written.part.empty()) json["part"] = written.part;
   json.update(to_json(written.solid));
   json["triangles"] = written.triangles;
   json["degenerate_triangles"] = written.degenerate_triangles;
@@ -58,10 +63,10 @@ void report(const std::string& command, const std::vector<std::string>& inputs,
   if (options.quiet) return;
   for (const Written& output : outputs)
     if (output.solid.is_empty())
-      std::cerr << "sectile: " << output.file << ": the result is empty\n";
+      std::cerr << "sectile: " << name_of(output) << ": the result is empty\n";
   for (const Written& output : outputs)
     if (output.problem)
-      std::cerr << "sectile: " << output.file
+      std::cerr << "sectile: " << name_of(output)
                 << ": was written, but rounding its points made it not a legal solid: "
                 << in_words(*output.problem) << "; compute on from the operands instead\n";
   if (options.json) return;

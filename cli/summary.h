@@ -26,7 +26,10 @@ struct Written {
   std::size_t triangles = 0;
   std::size_t degenerate_triangles = 0;
   std::optional<Problem> problem;  ///< that rounding made: the file is not a legal solid
+  std::string part;                ///< which of several solids in the file; may be empty
 };
+/// "file" or "file#part".
+std::string name_of(const Written& written);
 std::string in_words(const Written& written);
 Json to_json(const Written& written);
 

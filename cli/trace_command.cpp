@@ -27,7 +27,7 @@ ExitCode run(const Arguments& arguments, const Options& options) {
   check_inputs(arguments.operands);
   check_outputs({arguments.output}, options);
   Progress progress(!options.quiet);
-  const Operands operands{arguments.operands, read_solids(arguments.operands, options, progress)};
+  const Operands operands = read_operands(arguments.operands, options, progress);
   progress.stage("trace");
   std::ostringstream out;
   out.exceptions(std::ios::badbit);  // a stream would hide that memory ran out

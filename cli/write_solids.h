@@ -13,8 +13,19 @@ namespace sectile::cli {
 
 /// Writes every solid into its file, or none of them.
 std::vector<Written> write_solids(const std::vector<std::string>& names,
-                                  const std::vector<Solid>& solids, const Options& options,
-                                  Progress& progress, const Interrupt& interrupt);
+                                  const std::vector<Solid>& solids, LengthUnit unit,
+                                  const Options& options, Progress& progress,
+                                  const Interrupt& interrupt);
+
+struct NamedSolid {
+  std::string name;
+  Solid solid;
+};
+
+/// Writes all solids into one file, whose format must be able to hold them.
+std::vector<Written> write_parts(const std::string& name, const std::vector<NamedSolid>& solids,
+                                 LengthUnit unit, const Options& options, Progress& progress,
+                                 const Interrupt& interrupt);
 
 /// Writes a solid as the polygons from which it was read.
 std::vector<Written> write_faces(const std::string& name, const Solid& solid,

@@ -16,6 +16,7 @@ write_basic_package_version_file(
   ${PROJECT_BINARY_DIR}/SectileConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/SectileConfig.cmake
               ${PROJECT_BINARY_DIR}/SectileConfigVersion.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/FindLib3MF.cmake
         DESTINATION ${config_folder})
 
 if(TARGET sectile_cli)
@@ -35,5 +36,5 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The library's header files and archive are of use only with these.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libtbb-dev, libtinyobjloader-dev")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libtbb-dev, libtinyobjloader-dev, lib3mf-dev, libzip-dev")
 include(CPack)

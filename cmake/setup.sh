@@ -4,9 +4,10 @@
 set -euo pipefail
 
 packages=(g++ cmake ninja-build libtbb-dev libcli11-dev nlohmann-json3-dev libboost-dev
-          libtinyobjloader-dev libgtest-dev libbenchmark-dev pkg-config libglfw3-dev libglm-dev
-          libimgui-dev libfreetype-dev libstb-dev libosmesa6-dev libgl1-mesa-dri python3-glad
-          fonts-inter fonts-dejavu-core fonts-font-awesome xvfb xauth xdotool)
+          libtinyobjloader-dev lib3mf-dev libzip-dev libgtest-dev libbenchmark-dev pkg-config
+          libglfw3-dev libglm-dev libimgui-dev libfreetype-dev libstb-dev libosmesa6-dev
+          libgl1-mesa-dri python3-glad fonts-inter fonts-dejavu-core fonts-font-awesome xvfb xauth
+          xdotool)
 case "${1:-build}" in
   build) ;;
   check) packages+=(clang-format-14 git dpkg-dev file ccache pngquant) ;;

@@ -12,6 +12,7 @@ PolygonMesh read_obj(std::string_view content, std::string_view name);
 PolygonMesh read_stl(std::string_view content, std::string_view name);
 PolygonMesh read_off(std::string_view content, std::string_view name);
 PolygonMesh read_ply(std::string_view content, std::string_view name);
+Model read_three_mf(std::string_view content, std::string_view name);
 
 // Writers take meshes that are consistent and finite.
 void write_obj(Sink& out, const PolygonMesh& mesh);
@@ -22,5 +23,7 @@ void write_off(Sink& out, const PolygonMesh& mesh);
 void write_faces(Sink& out, const PolygonMesh& mesh);
 void write_ply_text(Sink& out, const PolygonMesh& mesh);
 void write_ply_binary(Sink& out, const PolygonMesh& mesh);
+/// Any number of meshes, also none.
+void write_three_mf(Sink& out, const Model& model, std::string_view name);
 
 }  // namespace sectile

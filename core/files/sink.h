@@ -34,6 +34,8 @@ class Sink {
   }
   /// The shortest text that reads back as the same double.
   Sink& operator<<(double value) { return number(value); }
+  /// The same for floats, which takes fewer digits.
+  Sink& operator<<(float value) { return number(value); }
   Sink& operator<<(std::integral auto value) { return number(value); }
   Sink& operator<<(const Vec3& p) { return *this << p.x << ' ' << p.y << ' ' << p.z; }
 

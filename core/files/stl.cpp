@@ -94,7 +94,7 @@ PolygonMesh read_stl(std::string_view content, std::string_view name) {
 }
 
 void write_stl_text(Sink& out, const PolygonMesh& mesh, std::string_view name) {
-  require_triangles(mesh, name);
+  require_triangles(mesh, name, "STL");
   out << "solid sectile\n";
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     const Vec3 &a = mesh.positions[mesh.indices[i]], &b = mesh.positions[mesh.indices[i + 1]],

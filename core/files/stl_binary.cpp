@@ -34,11 +34,7 @@ std::uint64_t size_with(std::uint32_t triangles) {
 }
 
 float as_float(double value, std::string_view name) {
-  if (!(std::abs(value) <= std::numeric_limits<float>::max()))
-    throw FileError(std::string(name) +
-                    ": cannot write: binary STL holds no coordinates beyond 3.4e38; use another "
-                    "format");
-  return static_cast<float>(value);
+  return writable_float(value, name, "binary STL", std::numeric_limits<float>::max());
 }
 
 }  // namespace
@@ -78,7 +74,7 @@ PolygonMesh read_stl_binary(std::string_view content, std::string_view name) {
 }
 
 void write_stl_binary(Sink& out, const PolygonMesh& mesh, std::string_view name) {
-  require_triangles(mesh, name);
+  require_triangles(mesh, name, "STL");
   std::array<char, comment_size> comment{"binary STL by sectile"};
   out.bytes(comment).bytes(static_cast<std::uint32_t>(mesh.face_sizes.size()));
   const auto put = [&](const Vec3& p) {

@@ -1,5 +1,7 @@
 #include "files/writable.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -37,11 +39,22 @@ void require_writable(const PolygonMesh& mesh, std::string_view name) {
       refuse(name, "position " + std::to_string(i) + " is not finite");
 }
 
-void require_triangles(const PolygonMesh& mesh, std::string_view name) {
+void require_triangles(const PolygonMesh& mesh, std::string_view name, std::string_view format) {
   for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f)
     if (mesh.face_sizes[f] != 3)
-      refuse(name, "STL holds only triangles, but face " + std::to_string(f) + " has " +
-                       std::to_string(mesh.face_sizes[f]) + " corners");
+      refuse(name, std::string(format) + " holds only triangles, but face " + std::to_string(f) +
+                       " has " + std::to_string(mesh.face_sizes[f]) + " corners");
+}
+
+float writable_float(double value, std::string_view name, std::string_view format, float most) {
+  if (!(std::abs(value) <= most)) {
+    std::array<char, 16> digits{};
+    std::to_chars(digits.data(), digits.data() + digits.size(), most, std::chars_format::general,
+                  2);
+    refuse(name, std::string(format) + " holds no coordinates beyond " + digits.data() +
+                     "; use another format");
+  }
+  return static_cast<float>(value);
 }
 
 }  // namespace sectile

@@ -44,7 +44,9 @@ TEST_F(FilesWriting, EveryExtensionReadsBack) {
   }
   write_mesh(folder_ / "a.stl", tetrahedron());
   EXPECT_TRUE(same_bits(read_mesh(folder_ / "a.stl"), unshared(tetrahedron())));
-  EXPECT_EQ(file_count(), 6u);
+  write_mesh(folder_ / "a.3mf", tetrahedron());
+  EXPECT_TRUE(same_bits(read_mesh(folder_ / "a.3mf"), tetrahedron()));
+  EXPECT_EQ(file_count(), 7u);
 }
 
 TEST_F(FilesWriting, MeshesThatNoReaderTakesAreRefused) {
@@ -67,7 +69,7 @@ TEST_F(FilesWriting, MeshesThatNoReaderTakesAreRefused) {
   expect_refused(prism(5), "a.stl", "face 0 has 5 corners");
   mesh = tetrahedron();
   mesh.positions[1].x = 3.5e38;
-  expect_refused(mesh, "a.stl", "no coordinates beyond 3.4e38");
+  expect_refused(mesh, "a.stl", "no coordinates beyond 3.4e+38");
   expect_refused(tetrahedron(), "a.dwg", "unknown extension \".dwg\"");
 }
 
