@@ -4,12 +4,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <memory>
 #include <set>
 #include <sstream>
 
 #include "problem.h"
-#include "staged_file.h"
 
 namespace sectile::cli {
 namespace {
@@ -89,21 +87,16 @@ Output rendered(const std::string& name, const Model& model, const Options& opti
 }
 
 void write_outputs(const std::vector<Output>& outputs) {
-  std::vector<std::unique_ptr<StagedFile>> files;
+  WholeFiles files;
   std::vector<const Output*> special;
   for (const Output& output : outputs)
     if (is_standard(output.name) || is_special(output.name))
       special.push_back(&output);
     else
-      files.push_back(std::make_unique<StagedFile>(output.name, output.content));
+      files.add(output.name, output.content);
   // What went down a pipe cannot be taken back, so this must not follow a file in its place.
   for (const Output* output : special) write_special(*output);
-  try {
-    for (const auto& file : files) file->place(files.size() > 1);
-  } catch (...) {
-    for (const auto& file : files) file->undo();
-    throw;
-  }
+  files.place();
 }
 
 bool uses_standard_output(const std::vector<std::string>& names) {

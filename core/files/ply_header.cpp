@@ -54,8 +54,15 @@ class HeaderReader {
     else if (word == "property")
       read_property();
     else
-      scan_.fail("unknown word " + quoted(word) + " in the header");
+      return pass_over(word);
     require_line_end();
+  }
+
+  // Old programs write a line like "Created by …" and forget the word "comment". Further below an
+  // unknown word is rather a keyword with a slip, and what follows would be misread.
+  void pass_over(std::string_view word) {
+    if (!header_.elements.empty()) scan_.fail("unknown word " + quoted(word) + " in the header");
+    while (!scan_.token().empty()) continue;
   }
 
   void require_line_end() {

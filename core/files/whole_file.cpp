@@ -50,6 +50,7 @@ WholeFile::WholeFile(const fs::path& path) : named_(path.string()), target_(behi
 WholeFile::~WholeFile() {
   if (file_ >= 0) close(file_);
   if (!staged_.empty()) unlink(staged_.c_str());
+  if (!old_.empty()) unlink(old_.c_str());
 }
 
 void WholeFile::open_beside() {
@@ -74,18 +75,64 @@ void WholeFile::write(std::string_view content) {
   }
 }
 
-void WholeFile::place() {
+void WholeFile::finish() {
+  if (file_ < 0) return;
   if (!staged_.empty() && fsync(file_) != 0) fail(errno);
   const int file = file_;
   file_ = -1;
   if (close(file) != 0) fail(errno);
+}
+
+void WholeFile::place(bool keep_old) {
+  finish();
   if (staged_.empty()) return;
+  if (keep_old) keep_old_content();
   if (rename(staged_.c_str(), target_.c_str()) != 0) fail(errno);
   staged_.clear();
+  placed_ = true;
+}
+
+void WholeFile::keep_old_content() {
+  std::error_code error;
+  if (!fs::exists(target_, error)) return;
+  const fs::path old = beside(target_);
+  fs::create_hard_link(target_, old, error);
+  // Not every file system has links.
+  if (error) fs::copy_file(target_, old, error);
+  if (error) fail(error.value());
+  old_ = old;
+}
+
+void WholeFile::undo() noexcept {
+  if (!placed_) return;
+  placed_ = false;
+  if (old_.empty()) {
+    unlink(target_.c_str());
+  } else if (rename(old_.c_str(), target_.c_str()) == 0) {
+    old_.clear();
+  }
 }
 
 void WholeFile::fail(int error) const {
   throw FileError(named_ + ": cannot write: " + std::strerror(error));
+}
+
+WholeFiles::WholeFiles() = default;
+WholeFiles::~WholeFiles() = default;
+
+void WholeFiles::add(const fs::path& path, std::string_view content) {
+  files_.push_back(std::make_unique<WholeFile>(path));
+  files_.back()->write(content);
+  files_.back()->finish();
+}
+
+void WholeFiles::place() {
+  try {
+    for (const auto& file : files_) file->place(files_.size() > 1);
+  } catch (...) {
+    for (const auto& file : files_) file->undo();
+    throw;
+  }
 }
 
 void write_whole(const fs::path& path, std::string_view content) {

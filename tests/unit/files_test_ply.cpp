@@ -55,6 +55,14 @@ TEST(FilesPly, BinaryDoubles) {
   }
 }
 
+TEST(FilesPly, LinesWithoutKeywordBeforeTheElementsAreComments) {
+  std::string content = written(tetrahedron(), FileFormat::ply_text);
+  const std::size_t at = content.find("element vertex");
+  ASSERT_NE(at, std::string::npos);
+  content.insert(at, "Created by some program, 1996\n");
+  EXPECT_TRUE(same_bits(read(content, FileFormat::ply_text), tetrahedron()));
+}
+
 TEST(FilesPly, BinaryFloats) {
   PolygonMesh mesh = prism(300);
   for (Vec3& p : mesh.positions)

@@ -34,6 +34,11 @@ class FilesWriting : public ::testing::Test {
     return {};
   }
 
+  static std::string content(const fs::path& path) {
+    std::ifstream in(path);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
   fs::path folder_;
 };
 
@@ -102,6 +107,40 @@ TEST_F(FilesWriting, PermissionsAndLinksStay) {
   EXPECT_TRUE(fs::is_symlink(link));
   EXPECT_TRUE(same_bits(read_mesh(path), tetrahedron()));
   EXPECT_EQ(fs::status(path).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(FilesWriting, SeveralFilesAppearTogether) {
+  write_whole(folder_ / "a", "old");
+  {
+    WholeFiles files;
+    files.add(folder_ / "a", "new");
+    files.add(folder_ / "b", "other");
+    EXPECT_EQ(content(folder_ / "a"), "old");
+    EXPECT_FALSE(fs::exists(folder_ / "b"));
+    files.place();
+  }
+  EXPECT_EQ(content(folder_ / "a"), "new");
+  EXPECT_EQ(content(folder_ / "b"), "other");
+  EXPECT_EQ(file_count(), 2u);
+}
+
+// The last place becomes a folder only after its content was written.
+TEST_F(FilesWriting, SeveralFilesAreTakenBackTogether) {
+  write_whole(folder_ / "a", "old");
+  {
+    WholeFiles files;
+    for (const char* name : {"a", "b", "c"}) files.add(folder_ / name, "new");
+    fs::create_directory(folder_ / "c");
+    EXPECT_THROW(files.place(), FileError);
+  }
+  EXPECT_EQ(content(folder_ / "a"), "old");
+  EXPECT_FALSE(fs::exists(folder_ / "b"));
+  EXPECT_EQ(file_count(), 2u);
+}
+
+TEST_F(FilesWriting, FilesThatAreNotPlacedLeaveNothing) {
+  { WholeFiles().add(folder_ / "a", "new"); }
+  EXPECT_EQ(file_count(), 0u);
 }
 
 TEST_F(FilesWriting, FilesThatCannotBeRead) {

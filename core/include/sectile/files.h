@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,6 +64,26 @@ void write_model(std::ostream& out, FileFormat format, const Model& model, std::
 /// All meshes as one soup. Throws FileError, in which `name` stands for the file, if there are more
 /// positions than corners can count.
 PolygonMesh joined(const Model& model, std::string_view name);
+
+class WholeFile;
+
+/// Files that appear all together or not at all.
+class WholeFiles {
+ public:
+  WholeFiles();
+  /// Removes whatever is not in its place.
+  ~WholeFiles();
+  WholeFiles(const WholeFiles&) = delete;
+  WholeFiles& operator=(const WholeFiles&) = delete;
+
+  /// Writes the content beside its place. Throws FileError.
+  void add(const std::filesystem::path& path, std::string_view content);
+  /// Puts all files into their places. Throws FileError; then nothing was changed.
+  void place();
+
+ private:
+  std::vector<std::unique_ptr<WholeFile>> files_;
+};
 
 /// Puts `content` into a file so that the file appears whole or not at all. Throws FileError.
 void write_whole(const std::filesystem::path& path, std::string_view content);
