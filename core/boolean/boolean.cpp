@@ -1,6 +1,8 @@
 // The Boolean operations: the phases of the algorithm, in order.
 #include "sectile/boolean.h"
 
+#include <algorithm>
+
 #include "boolean/cleanup.h"
 #include "boolean/complement.h"
 #include "boolean/components.h"
@@ -14,6 +16,7 @@
 #include "boolean/run.h"
 #include "boolean/save_operands.h"
 #include "sectile/errors.h"
+#include "storage/splice.h"
 #include "topology/links.h"
 
 namespace sectile {
@@ -30,6 +33,12 @@ void check(const Workspace& w, const char* phase) {
   for (const Patch& patch : w.patch)
     if (const auto found = broken_links(patch.brep, patch.unbounded); !found.empty())
       throw InternalError(std::string("after ") + phase + ": " + found.front());
+}
+
+bool operands_touch_themselves(const Workspace& w) {
+  return std::any_of(std::begin(w.patch), std::end(w.patch), [](const Patch& patch) {
+    return patch.solid && patch.solid->touches_itself();
+  });
 }
 
 }  // namespace
@@ -66,10 +75,13 @@ Solid assemble(Workspace& w, Operation operation, std::size_t index) {
   if (w.options.observer) report_gluing(w, w.wedges[index]);
   step(w, 0.9);
   clean_up(glued);
+  const bool touches = !glued.slots.empty() && operands_touch_themselves(w);
+  Solid result(splice(std::move(glued.slots),
+                      {std::move(glued.brep), std::move(glued.geometry), std::move(glued.outside)},
+                      touches));
   if (w.options.validate)
-    if (const auto found = broken_links(glued.data->brep(), false); !found.empty())
+    if (const auto found = broken_links(result.data()->brep(), false); !found.empty())
       throw InternalError("the result is not legal: " + found.front());
-  Solid result(std::shared_ptr<const SolidData>(std::move(glued.data)));
   if (w.options.observer) report_cleanup(w, result);
   step(w, 1.0);
   return result;
@@ -88,7 +100,9 @@ Solid boolean(const Solid& a, const Solid& b, Operation operation, const Boolean
   try {
     Workspace w(options);
     FacePairs pairs;
-    load(w, *a.data(), operation == Operation::subtract ? reversible(*b.data()) : *b.data(), pairs);
+    load(w, operand(a, options),
+         operation == Operation::subtract ? reversible(operand(b, options)) : operand(b, options),
+         pairs);
     const Operation wanted[] = {operation};
     cut(w, pairs, wanted);
     return assemble(w, operation, 0);

@@ -69,9 +69,10 @@ SurfacePart collect_part(const Workspace& w, const FaceLabels& labels, int s, st
   for (std::size_t f = 0; f < labels.loaded[s].size(); ++f)
     if (labels.loaded[s][f] == label) loaded.add(FaceId(f));
   if (labels.rest[s].empty()) return part;
+  // The operands are loaded from one block.
   PartBuilder rest(patch.solid->brep(), patch.solid->geometry(), part);
-  for (std::size_t f = 0; f < labels.rest[s].size(); ++f)
-    if (labels.rest[s][f] == label) rest.add(FaceId(f));
+  for (std::size_t f = 0; f < patch.solid->brep().face_count(); ++f)
+    if (labels.rest[s].label(0, FaceId(f)) == label) rest.add(FaceId(f));
   return part;
 }
 
@@ -100,7 +101,7 @@ EightWay classify(const Solid& a, const Solid& b) {
   const BooleanOptions options;
   Workspace w(options);
   FacePairs pairs;
-  load(w, *a.data(), *b.data(), pairs);
+  load(w, a.data()->in_one_block(), b.data()->in_one_block(), pairs);
   cut(w, pairs, {});
   const FaceLabels labels = find_components(w, [](int, Class c) { return label(c); });
   const auto part = [&](int s, Class c) { return collect_part(w, labels, s, label(c)); };
@@ -125,7 +126,7 @@ FourWay classify(const Solid& a, const Solid& b, Operation operation) {
   const BooleanOptions options;
   Workspace w(options);
   FacePairs pairs;
-  load(w, *a.data(), *b.data(), pairs);
+  load(w, a.data()->in_one_block(), b.data()->in_one_block(), pairs);
   const Operation wanted[] = {operation};
   cut(w, pairs, wanted);
   const FaceLabels labels =

@@ -12,10 +12,7 @@ namespace {
 class Cleaner {
  public:
   explicit Cleaner(Glued& glued)
-      : brep_(glued.data->brep()),
-        geometry_(glued.data->geometry()),
-        seams_(glued.seams),
-        euler_(brep_) {}
+      : brep_(glued.brep), geometry_(glued.geometry), seams_(glued.seams), euler_(brep_) {}
 
   void run() {
     std::vector<VertexId> ends;

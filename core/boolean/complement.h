@@ -5,7 +5,7 @@
 // where the other solid is not near.
 #pragma once
 
-#include "search/solid_data.h"
+#include "storage/solid_data.h"
 
 namespace sectile {
 

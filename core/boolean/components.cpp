@@ -10,7 +10,7 @@
 namespace sectile {
 namespace {
 
-constexpr std::uint8_t nothing = 0, unknown = 255;
+constexpr std::uint8_t nothing = 0, unknown = RestLabels::unknown;
 
 class Spreading {
  public:
@@ -24,7 +24,9 @@ class Spreading {
         rest_(labels.rest[s]),
         open_ends_(64) {
     loaded_.assign(brep_.face_count(), unknown);
-    if (!patch_.whole) find_rest();
+    seen_.assign(brep_.face_count(), 0);
+    if (!patch_.unbounded) rest_ = RestLabels(patch_);
+    if (!rest_.empty()) find_open_ends();
   }
 
   void run() {
@@ -33,32 +35,33 @@ class Spreading {
     visit_untouched_shells();
     for (std::size_t f = 0; f < loaded_.size(); ++f)
       if (!patch_.is_real(FaceId(f))) loaded_[f] = nothing;
-    for (std::uint8_t& label : rest_)
-      if (label == unknown) label = nothing;  // the loaded ones
   }
 
  private:
-  const Brep& solid() const { return patch_.solid->brep(); }
+  const SolidData& solid() const { return *patch_.solid; }
+  const Slot& slot(std::uint32_t s) const { return patch_.solid->slot(s); }
 
-  void find_rest() {
-    rest_.assign(solid().face_count(), unknown);
-    is_loaded_.assign(solid().face_count(), 0);
-    for (const FaceId f : patch_.face_in_solid) is_loaded_[f.value()] = 1;
+  void find_open_ends() {
     for (std::size_t i = 0; i < patch_.half_edge_in_solid.size(); ++i)
       if (const HalfEdgeId h = patch_.half_edge_in_solid[i]; h.valid())
         open_ends_[h.value()] = static_cast<std::uint32_t>(i);
   }
 
-  void set(std::vector<std::uint8_t>& labels, std::uint32_t face, std::uint8_t label, bool loaded) {
-    std::uint8_t& now = labels[face];
-    if (now == label) return;
+  // True if the label is new.
+  static bool set(std::uint8_t& now, std::uint8_t label) {
+    if (now == label) return false;
     if (now != unknown)
       throw InternalError("a piece of a boundary is kept by one cut, not by another");
     now = label;
-    stack_.push_back({face, loaded});
+    return true;
   }
-  void set_loaded(FaceId f, std::uint8_t label) { set(loaded_, f.value(), label, true); }
-  void set_rest(FaceId f, std::uint8_t label) { set(rest_, f.value(), label, false); }
+  void set_loaded(FaceId f, std::uint8_t label) {
+    if (set(loaded_[f.value()], label)) stack_.push_back({loaded_slot, f.value()});
+  }
+  void set_rest(std::uint32_t s, FaceId local, std::uint8_t label) {
+    const std::uint32_t member = rest_.member(s, local);
+    if (set(rest_.of_member(s, member), label)) stack_.push_back({s, member});
+  }
 
   void seed_from_segments() {
     std::vector<std::uint8_t> cut(patch_.root.size(), 0);
@@ -82,12 +85,14 @@ class Spreading {
 
   void spread() {
     while (!stack_.empty()) {
-      const auto [face, loaded] = stack_.back();
+      const Pending next = stack_.back();
       stack_.pop_back();
-      if (loaded)
-        spread_loaded(FaceId(face));
+      if (next.slot == loaded_slot)
+        spread_loaded(FaceId(next.member));
+      else if (rest_.is_touched(next.slot))
+        spread_face(next.slot, FaceId(next.member));
       else
-        spread_rest(FaceId(face));
+        spread_piece(next.slot, next.member);
     }
   }
 
@@ -105,22 +110,45 @@ class Spreading {
         case FaceKind::null:
           break;
         case FaceKind::rest:
-          set_rest(solid().face_of(patch_.half_edge_in_solid[back.value()]), label);
+          spread_to(patch_.half_edge_in_solid[back.value()], label);
           break;
       }
     });
   }
 
-  void spread_rest(FaceId face) {
-    const std::uint8_t label = rest_[face.value()];
-    for_each_in_face(solid(), face, [&](HalfEdgeId h) {
-      const FaceId beyond = solid().face_of(Brep::twin(h));
-      if (!is_loaded_[beyond.value()])
-        set_rest(beyond, label);
-      else
-        set_loaded(brep_.face_of(Brep::twin(HalfEdgeId(open_ends_[h.value()]))), label);
-    });
+  void spread_to(HalfEdgeId in_solid, std::uint8_t label) {
+    const std::uint32_t s = solid().slot_of(in_solid);
+    set_rest(s, slot(s).block->brep.face_of(solid().local(s, in_solid)), label);
   }
+
+  void spread_face(std::uint32_t s, FaceId face) {
+    const std::uint8_t label = rest_.of_member(s, face.value());
+    for_each_in_face(slot(s).block->brep, face, [&](HalfEdgeId h) { spread_across(s, h, label); });
+  }
+
+  // All faces of a piece have its label; it ends at the block's borders.
+  void spread_piece(std::uint32_t s, std::uint32_t piece) {
+    const std::uint8_t label = rest_.of_member(s, piece);
+    const Block& block = *slot(s).block;
+    const Pieces& pieces = block.pieces();
+    for (std::uint32_t e = 0; e < block.border_count; ++e) {
+      const HalfEdgeId h = Brep::half_edge(EdgeId(e));
+      if (pieces.count == 1 || pieces.of_face[block.brep.face_of(h).value()] == piece)
+        spread_across(s, h, label);
+    }
+  }
+
+  void spread_across(std::uint32_t s, HalfEdgeId h, std::uint8_t label) {
+    const auto [t, beyond] = solid().across(s, h);
+    const FaceId face = slot(t).block->brep.face_of(beyond);
+    if (rest_.is_loaded(t, face))
+      set_loaded(brep_.face_of(Brep::twin(open_end(solid().half_edge(s, h)))), label);
+    else
+      set_rest(t, face, label);
+  }
+
+  // The loaded half-edge that stands for one of a face that is not loaded.
+  HalfEdgeId open_end(HalfEdgeId in_solid) { return HalfEdgeId(open_ends_[in_solid.value()]); }
 
   void visit_untouched_shells() {
     std::vector<std::uint8_t> in_contact(brep_.vertex_count(), 0);
@@ -135,15 +163,24 @@ class Spreading {
       set_loaded(FaceId(f), label_of(free_point(FaceId(f), in_contact)));
       spread();
     }
-    for (std::size_t f = 0; f < rest_.size(); ++f) {
-      if (rest_[f] != unknown || is_loaded_[f]) continue;
-      const HalfEdgeId h = solid().loop_half_edge[solid().outer_loop[f].value()];
-      const PointId p =
-          load_point(patch_.solid->geometry(), solid().point_of(solid().from(h)), w_.geometry);
-      w_.kernel->refresh();
-      set_rest(FaceId(f), label_of(p));
-      spread();
+    if (rest_.empty()) return;
+    for (std::uint32_t s = 0; s < solid().slots().size(); ++s)
+      for (std::uint32_t m = 0; m < rest_.count(s); ++m)
+        if (rest_.of_member(s, m) == unknown) settle_by_ray(s, m);
+  }
+
+  void settle_by_ray(std::uint32_t s, std::uint32_t member) {
+    const Brep& brep = slot(s).block->brep;
+    std::uint32_t f = member;
+    if (!rest_.is_touched(s)) {
+      f = 0;
+      while (slot(s).block->pieces().of_face[f] != member) ++f;
     }
+    const HalfEdgeId h = brep.loop_half_edge[brep.outer_loop[f].value()];
+    const PointId p = load_point(slot(s).block->geometry, brep.point_of(brep.from(h)), w_.geometry);
+    w_.kernel->refresh();
+    set_rest(s, FaceId(f), label_of(p));
+    spread();
   }
 
   std::uint8_t label_of(PointId p) {
@@ -152,10 +189,9 @@ class Spreading {
 
   // A point of the shell of a face that is not on the other boundary.
   PointId free_point(FaceId start, const std::vector<std::uint8_t>& in_contact) {
-    std::vector<std::uint8_t> seen(brep_.face_count(), 0);
     std::vector<FaceId> front{start};
     std::vector<EdgeId> edges;
-    seen[start.value()] = 1;
+    seen_[start.value()] = 1;
     PointId found;
     while (!front.empty() && !found.valid()) {
       const FaceId face = front.back();
@@ -167,12 +203,9 @@ class Spreading {
         const FaceId beyond = brep_.face_of(Brep::twin(h));
         if (brep_.kind_of(beyond) == FaceKind::rest) {
           const HalfEdgeId there = patch_.half_edge_in_solid[Brep::twin(h).value()];
-          const HalfEdgeId across = solid().prev_of(there);
-          if (!found.valid())
-            found = load_point(patch_.solid->geometry(), solid().point_of(solid().from(across)),
-                               w_.geometry);
-        } else if (patch_.is_real(beyond) && !seen[beyond.value()]) {
-          seen[beyond.value()] = 1;
+          if (!found.valid()) found = point_beyond(there);
+        } else if (patch_.is_real(beyond) && !seen_[beyond.value()]) {
+          seen_[beyond.value()] = 1;
           front.push_back(beyond);
         }
       });
@@ -181,6 +214,15 @@ class Spreading {
     if (!found.valid()) found = point_within(edges);
     if (!found.valid()) throw InternalError("a shell lies on the other boundary without a contact");
     return found;
+  }
+
+  // A corner, off the edge, of a face that is not loaded.
+  PointId point_beyond(HalfEdgeId in_solid) {
+    const std::uint32_t s = solid().slot_of(in_solid);
+    const Brep& brep = slot(s).block->brep;
+    const HalfEdgeId h = solid().local(s, in_solid);
+    const VertexId across = slot(s).turned ? brep.to(brep.next_of(h)) : brep.from(brep.prev_of(h));
+    return load_point(slot(s).block->geometry, brep.point_of(across), w_.geometry);
   }
 
   // A shell may touch the other boundary in all of its vertices. Its edges then lead away from it,
@@ -216,10 +258,11 @@ class Spreading {
     return made;
   }
 
+  // A loaded face, or a face or piece of a slot.
   struct Pending {
-    std::uint32_t face;
-    bool loaded;
+    std::uint32_t slot, member;
   };
+  static constexpr std::uint32_t loaded_slot = 0xFFFFFFFFu;
 
   Workspace& w_;
   int s_;
@@ -227,8 +270,8 @@ class Spreading {
   const Patch& patch_;
   const Brep& brep_;
   std::vector<std::uint8_t>& loaded_;
-  std::vector<std::uint8_t>& rest_;
-  std::vector<std::uint8_t> is_loaded_;
+  RestLabels& rest_;
+  std::vector<std::uint8_t> seen_;  // per face: has it been looked at for a free point?
   IdMap open_ends_;
   std::vector<Pending> stack_;
 };

@@ -3,14 +3,16 @@
 
 #include <functional>
 
+#include "boolean/rest_labels.h"
 #include "boolean/workspace.h"
 
 namespace sectile {
 
-/// Per solid: a label for each face, 0 for those that are of no interest.
+/// Per solid: a label for each face, 0 for those that are of no interest. Loaded faces that were
+/// cut fall into parts, each with a label of its own.
 struct FaceLabels {
   std::vector<std::uint8_t> loaded[2];  ///< per face of the patch
-  std::vector<std::uint8_t> rest[2];    ///< per face of the operand that is not loaded (or empty)
+  RestLabels rest[2];                   ///< what is not loaded
 };
 
 /// Labels spread from the contact segments; all that reach one piece must agree. A shell that

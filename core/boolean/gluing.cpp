@@ -1,18 +1,20 @@
 #include "boolean/gluing.h"
 
-#include <optional>
+#include <memory>
 
-#include "boolean/geometry_copy.h"
 #include "boolean/tables.h"
 #include "sectile/errors.h"
+#include "storage/geometry_loader.h"
 
 namespace sectile {
 namespace {
 
-// A half-edge of one of the sources: a loaded patch, or what was not loaded of an operand.
+constexpr std::uint32_t loaded = 0xFFFFFFFFu;  // instead of a slot
+
+// A half-edge of one of the sources: of a loaded patch, or of a block.
 struct SourceHalfEdge {
   std::uint8_t solid;
-  bool loaded;
+  std::uint32_t slot;
   HalfEdgeId h;
 };
 
@@ -23,53 +25,100 @@ class Assembly {
       : w_(w),
         operation_(operation),
         kept_(kept),
-        glued_{std::make_shared<SolidData>(), {}},
-        brep_(glued_.data->brep()),
-        local_(w.geometry, glued_.data->geometry()) {
+        brep_(glued_.brep),
+        local_(w.geometry, glued_.geometry, w.geometry.positions.size()) {
     for (int s = 0; s < 2; ++s) {
-      const Patch& patch = w.patch[s];
-      partner_[s].resize(patch.brep.half_edge_count(), {0, true, HalfEdgeId()});
-      new_loaded_[s].resize(patch.brep.half_edge_count());
-      if (kept.rest[s].empty()) continue;
-      new_rest_[s].resize(patch.solid->brep().half_edge_count());
-      rest_[s].emplace(patch.solid->geometry(), glued_.data->geometry());
+      partner_[s].resize(w.patch[s].brep.half_edge_count(), {0, loaded, HalfEdgeId()});
+      made_loaded_[s].resize(w.patch[s].brep.half_edge_count());
+      share_blocks(s);
     }
     for (const WedgePair& pair : wedges) set_partners(pair);
   }
 
   Glued run() {
     reserve();
-    for (int s = 0; s < 2; ++s) {
-      for (std::size_t f = 0; f < kept_.loaded[s].size(); ++f)
-        if (kept_.loaded[s][f]) add_face(s, true, FaceId(f));
-      for (std::size_t f = 0; f < kept_.rest[s].size(); ++f)
-        if (kept_.rest[s][f]) add_face(s, false, FaceId(f));
-    }
+    for_each_kept_face([&](const Source& from, FaceId f) { add_outside_edges(from, f); });
+    for_each_kept_face([&](const Source& from, FaceId f) { add_face(from, f); });
     fix_edge_planes();
+    close_open_ends();
     make_vertices();
     return std::move(glued_);
   }
 
  private:
-  // For each corner of a kept face there will be a half-edge.
+  // What is made anew of a block: the faces that stay and are not loaded.
+  struct Copied {
+    Copied(const Block& block, Geometry& to)
+        : geometry(block.geometry, to, 2 * block.brep.face_count()),
+          made(block.brep.half_edge_count()) {}
+    GeometryLoader geometry;
+    std::vector<HalfEdgeId> made;  // per half-edge of the block
+  };
+
+  // Faces of one kind, and how they are read.
+  struct Source {
+    std::uint8_t solid;
+    std::uint32_t slot;
+    const Brep& brep;
+    GeometryLoader& geometry;
+    bool turned;
+  };
+
+  bool turns(int s) const { return reversed(operation_, s); }
+
+  void share_blocks(int s) {
+    first_slot_[s] = static_cast<std::uint32_t>(glued_.slots.size());
+    const RestLabels& rest = kept_.rest[s];
+    if (rest.empty()) return;
+    const SolidData& solid = *w_.patch[s].solid;
+    copied_[s].resize(solid.slots().size());
+    glued_.slots.resize(first_slot_[s] + solid.slots().size());
+    for (std::uint32_t t = 0; t < solid.slots().size(); ++t) {
+      const auto [stay, all] = how_many_stay(rest, t);
+      if (stay == 0) continue;
+      const Slot& slot = solid.slot(t);
+      const bool turned = slot.turned != turns(s);
+      if (stay == all && !rest.is_touched(t) && slot.block->brep.face_count() >= few_faces)
+        glued_.slots[first_slot_[s] + t] = {slot.block, slot.links, turned};
+      else
+        copied_[s][t] = std::make_unique<Copied>(*slot.block, glued_.geometry);
+    }
+  }
+
+  static std::pair<std::uint32_t, std::uint32_t> how_many_stay(const RestLabels& rest,
+                                                               std::uint32_t slot) {
+    std::uint32_t stay = 0;
+    for (std::uint32_t m = 0; m < rest.count(slot); ++m) stay += rest.of_member(slot, m) == 1;
+    return {stay, rest.count(slot)};
+  }
+
+  template <class Visit>
+  void for_each_kept_face(const Visit& visit) {
+    for (std::uint8_t s = 0; s < 2; ++s) {
+      const Source patch{s, loaded, w_.patch[s].brep, local_, turns(s)};
+      for (std::size_t f = 0; f < kept_.loaded[s].size(); ++f)
+        if (kept_.loaded[s][f]) visit(patch, FaceId(f));
+      for (std::uint32_t t = 0; t < copied_[s].size(); ++t) {
+        if (!copied_[s][t]) continue;
+        const Slot& slot = w_.patch[s].solid->slot(t);
+        const Source block{s, t, slot.block->brep, copied_[s][t]->geometry,
+                           slot.turned != turns(s)};
+        for (std::size_t f = 0; f < block.brep.face_count(); ++f)
+          if (kept_.rest[s].label(t, FaceId(f)) == 1) visit(block, FaceId(f));
+      }
+    }
+  }
+
+  // For each corner of a face there will be a half-edge.
   void reserve() {
     std::size_t half_edges = 0, faces = 0;
-    for (int s = 0; s < 2; ++s)
-      for (const bool loaded : {true, false}) {
-        const auto& kept = loaded ? kept_.loaded[s] : kept_.rest[s];
-        if (kept.empty()) continue;
-        const Brep& from = source(s, loaded);
-        for (std::size_t h = 0; h < from.half_edge_count(); ++h)
-          half_edges += kept[from.face_of(HalfEdgeId(h)).value()] != 0;
-        for (const std::uint8_t label : kept) faces += label != 0;
-      }
+    for_each_kept_face([&](const Source& from, FaceId f) {
+      ++faces;
+      for_each_in_face(from.brep, f, [&](HalfEdgeId) { ++half_edges; });
+    });
     const std::size_t edges = half_edges / 2;
     brep_.reserve(edges, faces, edges > faces ? edges - faces + 2 : 2);
     start_.reserve(half_edges);
-  }
-
-  const Brep& source(int s, bool loaded) const {
-    return loaded ? w_.patch[s].brep : w_.patch[s].solid->brep();
   }
 
   // The half-edge of a kept face that borders a side of a carrier.
@@ -82,49 +131,84 @@ class Assembly {
     const HalfPlane &p = w_.half_planes[pair.first], &q = w_.half_planes[pair.second];
     if (!w_.carriers[p.carrier].cut) return;  // both sides of one face or edge
     const HalfEdgeId g = side_half_edge(p), h = side_half_edge(q);
-    partner_[p.solid][g.value()] = {q.solid, true, h};
-    partner_[q.solid][h.value()] = {p.solid, true, g};
+    partner_[p.solid][g.value()] = {q.solid, loaded, h};
+    partner_[q.solid][h.value()] = {p.solid, loaded, g};
   }
 
   HalfEdgeId& made(const SourceHalfEdge& e) {
-    return (e.loaded ? new_loaded_ : new_rest_)[e.solid][e.h.value()];
+    if (e.slot == loaded) return made_loaded_[e.solid][e.h.value()];
+    if (!copied_[e.solid][e.slot]) throw InternalError("an edge of the result has only one face");
+    return copied_[e.solid][e.slot]->made[e.h.value()];
+  }
+
+  SourceHalfEdge in_slot(std::uint8_t s, HalfEdgeId in_solid) const {
+    const SolidData& solid = *w_.patch[s].solid;
+    const std::uint32_t slot = solid.slot_of(in_solid);
+    return {s, slot, solid.local(slot, in_solid)};
   }
 
   SourceHalfEdge mate(const SourceHalfEdge& e, bool& seam) const {
-    const HalfEdgeId back = Brep::twin(e.h);
-    if (!e.loaded) return {e.solid, false, back};
+    const Patch& patch = w_.patch[e.solid];
+    if (e.slot != loaded) {
+      const auto beyond = patch.solid->across(e.slot, e.h);
+      return {e.solid, beyond.slot, beyond.local};
+    }
     const SourceHalfEdge& partner = partner_[e.solid][e.h.value()];
     if (partner.h.valid()) {
       seam = true;
       return partner;
     }
-    const Patch& patch = w_.patch[e.solid];
+    const HalfEdgeId back = Brep::twin(e.h);
     const FaceKind beyond = patch.brep.kind_of(patch.brep.face_of(back));
     if (beyond == FaceKind::null) throw InternalError("a kept side of a cut has no partner");
-    if (beyond == FaceKind::real) return {e.solid, true, back};
-    return {e.solid, false, patch.half_edge_in_solid[back.value()]};
+    if (beyond == FaceKind::real) return {e.solid, loaded, back};
+    return in_slot(e.solid, patch.half_edge_in_solid[back.value()]);
   }
 
-  HalfEdgeId make(const SourceHalfEdge& e) {
-    HalfEdgeId& id = made(e);
-    if (id.valid()) return id;
-    id = HalfEdgeId(brep_.half_edge_count());
-    bool seam = false;
-    made(mate(e, seam)) = Brep::twin(id);
+  bool is_shared(const SourceHalfEdge& e) const {
+    return e.slot != loaded && !glued_.slots[first_slot_[e.solid] + e.slot].empty();
+  }
+
+  HalfEdgeId add_edge(const SourceHalfEdge& e) {
+    const HalfEdgeId id = made(e) = HalfEdgeId(brep_.half_edge_count());
     const std::size_t count = brep_.half_edge_count() + 2;
     brep_.origin.resize(count);
     brep_.next.resize(count);
     brep_.prev.resize(count);
     brep_.loop.resize(count);
-    if (seam) glued_.seams.push_back(Brep::edge_of(id));
-    keep_edge_plane(e, Brep::edge_of(id));
+    start_.resize(count);
     return id;
   }
 
-  void keep_edge_plane(const SourceHalfEdge& e, EdgeId made_edge) {
-    const PlaneId plane = source(e.solid, e.loaded).extra_plane(Brep::edge_of(e.h));
-    if (!plane.valid()) return;
-    set_edge_plane(made_edge, copy_of(e.solid, e.loaded).plane(plane));
+  // Edges to shared blocks come first.
+  void add_outside_edges(const Source& from, FaceId face) {
+    if (glued_.slots.empty()) return;
+    for_each_in_face(from.brep, face, [&](HalfEdgeId h) {
+      const SourceHalfEdge e{from.solid, from.slot, h};
+      bool seam = false;
+      if (is_null_edge(from, h)) return;
+      const SourceHalfEdge other = mate(e, seam);
+      if (!is_shared(other)) return;
+      const HalfEdgeId id = add_edge(e);
+      glued_.outside.push_back({first_slot_[other.solid] + other.slot, other.h.value() / 2});
+      keep_edge_plane(from, h, Brep::edge_of(id));
+    });
+  }
+
+  HalfEdgeId make(const Source& from, HalfEdgeId h) {
+    const SourceHalfEdge e{from.solid, from.slot, h};
+    if (const HalfEdgeId known = made(e); known.valid()) return known;
+    const HalfEdgeId id = add_edge(e);
+    bool seam = false;
+    made(mate(e, seam)) = Brep::twin(id);
+    if (seam) glued_.seams.push_back(Brep::edge_of(id));
+    keep_edge_plane(from, h, Brep::edge_of(id));
+    return id;
+  }
+
+  void keep_edge_plane(const Source& from, HalfEdgeId h, EdgeId made_edge) {
+    const PlaneId plane = from.brep.extra_plane(Brep::edge_of(h));
+    if (plane.valid()) set_edge_plane(made_edge, from.geometry.plane(plane));
   }
 
   void set_edge_plane(EdgeId e, PlaneId plane) {
@@ -137,7 +221,7 @@ class Assembly {
     for (int s = 0; s < 2; ++s)
       for (std::size_t i = 0; i < partner_[s].size(); ++i) {
         const SourceHalfEdge& other = partner_[s][i];
-        const HalfEdgeId id = new_loaded_[s][i], h{i};
+        const HalfEdgeId id = made_loaded_[s][i], h{i};
         if (!other.h.valid() || !id.valid() || (id.value() & 1u)) continue;
         const PlaneId p = w_.patch[s].brep.plane_of(h);
         const PlaneId q = w_.patch[other.solid].brep.plane_of(other.h);
@@ -149,46 +233,49 @@ class Assembly {
     if (!brep_.edge_plane.empty()) brep_.edge_plane.resize(brep_.edge_count());
   }
 
-  GeometryCopy& copy_of(int s, bool loaded) { return loaded ? local_ : *rest_[s]; }
-
-  static bool is_null_edge(const Brep& brep, HalfEdgeId h) {
-    return brep.point_of(brep.from(h)) == brep.point_of(brep.to(h));
+  static bool is_null_edge(const Source& from, HalfEdgeId h) {
+    return from.slot == loaded &&
+           from.brep.point_of(from.brep.from(h)) == from.brep.point_of(from.brep.to(h));
   }
 
-  void add_face(int s, bool loaded, FaceId face) {
-    const Brep& from = source(s, loaded);
-    const bool turn = reversed(operation_, s);
-    const FaceId here(brep_.face_count());
-    const PlaneId plane = from.plane[face.value()];
-    brep_.plane.push_back(turn ? copy_of(s, loaded).turned(plane)
-                               : copy_of(s, loaded).plane(plane));
-    brep_.source.push_back(from.source[face.value()]);
+  FaceId add_face(PlaneId plane, FaceSource source) {
+    brep_.plane.push_back(plane);
+    brep_.source.push_back(source);
     brep_.outer_loop.push_back(LoopId());
+    return FaceId(brep_.face_count() - 1);
+  }
+
+  void add_face(const Source& from, FaceId face) {
+    const FaceId here = add_face(from.geometry.plane(from.brep.plane[face.value()], from.turned),
+                                 from.brep.source[face.value()]);
     LoopId last;
-    for (LoopId l = from.outer_loop[face.value()]; l.valid(); l = from.next_loop[l.value()]) {
+    for (LoopId l = from.brep.outer_loop[face.value()]; l.valid();
+         l = from.brep.next_loop[l.value()]) {
       chain_.clear();
-      for_each_in_loop(from, l, [&](HalfEdgeId h) {
-        if (loaded && is_null_edge(from, h)) return;
-        chain_.push_back(h);
+      for_each_in_loop(from.brep, l, [&](HalfEdgeId h) {
+        if (!is_null_edge(from, h)) chain_.push_back(h);
       });
-      if (!chain_.empty()) add_loop(s, loaded, here, last, turn);
+      if (!chain_.empty()) add_loop(from, here, last);
     }
   }
 
-  void add_loop(int s, bool loaded, FaceId face, LoopId& last, bool turn) {
-    const Brep& from = source(s, loaded);
+  LoopId add_loop(FaceId face, LoopId& last) {
     const LoopId loop(brep_.loop_count());
     brep_.loop_face.push_back(face);
     brep_.next_loop.push_back(LoopId());
+    brep_.loop_half_edge.push_back(HalfEdgeId());
     (last.valid() ? brep_.next_loop[last.value()] : brep_.outer_loop[face.value()]) = loop;
-    last = loop;
-    GeometryCopy& copy = copy_of(s, loaded);
+    return last = loop;
+  }
+
+  void add_loop(const Source& from, FaceId face, LoopId& last) {
+    const LoopId loop = add_loop(face, last);
     HalfEdgeId before, first;
     for (std::size_t i = 0; i < chain_.size(); ++i) {
-      const HalfEdgeId h = turn ? chain_[chain_.size() - 1 - i] : chain_[i];
-      const HalfEdgeId id = make({static_cast<std::uint8_t>(s), loaded, h});
-      start_.resize(brep_.half_edge_count());
-      start_[id.value()] = copy.point(from.point_of(turn ? from.to(h) : from.from(h)));
+      const HalfEdgeId h = from.turned ? chain_[chain_.size() - 1 - i] : chain_[i];
+      const HalfEdgeId id = make(from, h);
+      start_[id.value()] = from.geometry.point(
+          from.brep.point_of(from.turned ? from.brep.to(h) : from.brep.from(h)));
       brep_.loop[id.value()] = loop;
       if (before.valid()) {
         brep_.next[before.value()] = id;
@@ -200,7 +287,32 @@ class Assembly {
     }
     brep_.next[before.value()] = first;
     brep_.prev[first.value()] = before;
-    brep_.loop_half_edge.push_back(first);
+    brep_.loop_half_edge[loop.value()] = first;
+  }
+
+  // As in a patch: what is shared is stood for by faces of kind `rest`, which close the structure.
+  void close_open_ends() {
+    const std::size_t open = glued_.outside.size();
+    if (open == 0) return;
+    brep_.kind.assign(brep_.face_count(), FaceKind::real);
+    for (std::uint32_t e = 0; e < open; ++e) {
+      const HalfEdgeId h(2 * e + 1);
+      HalfEdgeId after = Brep::twin(h);
+      do after = Brep::twin(brep_.prev_of(after));
+      while (brep_.loop[after.value()].valid());
+      brep_.next[h.value()] = after;
+      brep_.prev[after.value()] = h;
+      start_[after.value()] = start_[brep_.next_of(Brep::twin(after)).value()];
+    }
+    for (std::uint32_t e = 0; e < open; ++e) {
+      if (brep_.loop[2 * e + 1].valid()) continue;
+      LoopId last;
+      const LoopId loop = add_loop(add_face(PlaneId(), FaceSource{}), last);
+      brep_.kind.push_back(FaceKind::rest);
+      brep_.loop_half_edge[loop.value()] = HalfEdgeId(2 * e + 1);
+      for (HalfEdgeId h(2 * e + 1); !brep_.loop[h.value()].valid(); h = brep_.next_of(h))
+        brep_.loop[h.value()] = loop;
+    }
   }
 
   void make_vertices() {
@@ -211,11 +323,7 @@ class Assembly {
       const VertexId v(brep_.vertex_count());
       brep_.point.push_back(start_[i]);
       brep_.vertex_half_edge.push_back(first);
-      HalfEdgeId h = first;
-      do {
-        brep_.origin[h.value()] = v;
-        h = brep_.around(h);
-      } while (h != first);
+      for_each_around(brep_, first, [&](HalfEdgeId h) { brep_.origin[h.value()] = v; });
     }
   }
 
@@ -224,10 +332,11 @@ class Assembly {
   const FaceLabels& kept_;
   Glued glued_;
   Brep& brep_;
-  GeometryCopy local_;
-  std::optional<GeometryCopy> rest_[2];
+  GeometryLoader local_;  // of the workspace
+  std::uint32_t first_slot_[2];
+  std::vector<std::unique_ptr<Copied>> copied_[2];  // per slot
   std::vector<SourceHalfEdge> partner_[2];
-  std::vector<HalfEdgeId> new_loaded_[2], new_rest_[2];
+  std::vector<HalfEdgeId> made_loaded_[2];
   std::vector<PointId> start_;  // per half-edge of the result
   std::vector<HalfEdgeId> chain_;
 };

@@ -1,18 +1,28 @@
 // Phase 7: the pieces that stay are turned if need be and glued, two half-planes for each wedge of
 // material; then vertices are what the cycles of edges around them say.
+//
+// Blocks that stay as they are go into the result as they are. What is glued, and the rest of the
+// blocks that were touched, is made anew.
 #pragma once
 
 #include <memory>
 #include <span>
 
 #include "boolean/components.h"
+#include "storage/cut_into_blocks.h"
 
 namespace sectile {
 
-/// The result's data, and the half-edges (even ones) of the edges along which pieces were glued.
+/// What is made anew, as one structure; `rest` faces stand for the blocks that are shared.
 struct Glued {
-  std::shared_ptr<SolidData> data;
+  Brep brep;
+  Geometry geometry;
+  /// The edges along which pieces were glued.
   std::vector<EdgeId> seams;
+  /// Per edge 0, 1, …: it leads from its even half-edge to this border edge of a shared block.
+  std::vector<BorderEdge> outside;
+  /// The slots of A and then of B, with the blocks that are shared.
+  std::vector<Slot> slots;
 };
 
 Glued glue(const Workspace& w, Operation operation, std::span<const WedgePair> wedges,

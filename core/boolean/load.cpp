@@ -15,31 +15,67 @@ bool same_point(const Geometry& a, PointId p, const Geometry& b, PointId q) {
   return Kernel(both).same_point(mine, other);
 }
 
-// The hubs of both solids, those at one place together.
+// The slots of two solids whose blocks may meet.
+class SlotPairs {
+ public:
+  SlotPairs(const SolidData& a, const SolidData& b) {
+    BoxTree::overlaps(a.slot_tree(), b.slot_tree(), [&](std::uint32_t i, std::uint32_t j) {
+      pairs_.push_back({a.slots_in_tree()[i], b.slots_in_tree()[j]});
+    });
+    std::sort(pairs_.begin(), pairs_.end());
+    for (const auto& [i, j] : pairs_) {
+      slots_[0].push_back(i);
+      slots_[1].push_back(j);
+    }
+    for (auto& slots : slots_) {
+      std::sort(slots.begin(), slots.end());
+      slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    }
+  }
+
+  std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs() const { return pairs_; }
+  std::span<const std::uint32_t> slots(int s) const { return slots_[s]; }
+
+ private:
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
+  std::vector<std::uint32_t> slots_[2];
+};
+
+// The hubs of both solids' blocks, those at one place together.
 class CommonHubs {
  public:
-  CommonHubs(const SolidData& a, const SolidData& b) : data_{&a, &b} {
-    if (hubs(0).empty() || hubs(1).empty()) return;
+  CommonHubs(const SolidData& a, const SolidData& b, const SlotPairs& slots) : data_{&a, &b} {
     for (const int s : {0, 1}) {
-      place_[s].resize(hubs(s).size());
-      for (std::uint32_t h = 0; h < hubs(s).size(); ++h) order_.push_back({s, h});
+      first_[s].resize(data_[s]->slots().size());
+      for (const std::uint32_t slot : slots.slots(s)) {
+        const std::size_t count = hubs(s, slot).size();
+        first_[s][slot] = static_cast<std::uint32_t>(place_[s].size());
+        for (std::uint32_t h = 0; h < count; ++h) order_.push_back({s, slot, h});
+        place_[s].resize(place_[s].size() + count);
+      }
     }
-    std::sort(order_.begin(), order_.end(),
-              [&](const Hub& g, const Hub& h) { return position(g).x < position(h).x; });
+    if (place_[0].empty() || place_[1].empty()) order_.clear();
+    std::sort(order_.begin(), order_.end(), [&](const Hub& g, const Hub& h) {
+      const Vec3 &p = position(g), &q = position(h);
+      return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+    });
     for (std::size_t i = 0; i < order_.size(); ++i) {
       std::size_t j = i;
-      while (j > 0 && position(order_[j - 1]).x == position(order_[i]).x &&
+      while (j > 0 && position(order_[j - 1]) == position(order_[i]) &&
              !are_at_one_place(order_[j - 1], order_[i]))
         --j;
-      const bool known = j > 0 && position(order_[j - 1]).x == position(order_[i]).x;
+      const bool known = j > 0 && position(order_[j - 1]) == position(order_[i]);
       place_of(order_[i]) = known ? place_of(order_[j - 1]) : static_cast<std::uint32_t>(i);
     }
     std::stable_sort(order_.begin(), order_.end(),
                      [&](const Hub& g, const Hub& h) { return place_of(g) < place_of(h); });
   }
 
-  bool are_at_one_place(std::uint32_t hub_of_a, std::uint32_t hub_of_b) const {
-    return place_[0][hub_of_a] == place_[1][hub_of_b];
+  bool empty() const { return order_.empty(); }
+  /// Hubs of two blocks.
+  bool are_at_one_place(std::uint32_t slot_of_a, std::uint32_t hub_of_a, std::uint32_t slot_of_b,
+                        std::uint32_t hub_of_b) const {
+    return place_[0][first_[0][slot_of_a] + hub_of_a] == place_[1][first_[1][slot_of_b] + hub_of_b];
   }
 
   /// The pairs that leave a common hub in a common direction, and each face at least once.
@@ -67,20 +103,26 @@ class CommonHubs {
  private:
   struct Hub {
     int solid;
-    std::uint32_t number;
+    std::uint32_t slot, number;
   };
   struct Fan {
     std::vector<FaceId> faces;
     std::vector<Box> directions;
   };
 
-  const Hubs& hubs(int s) const { return data_[s]->tree().hubs(); }
-  PointId point(const Hub& h) const { return hubs(h.solid).point(h.number); }
-  const Vec3& position(const Hub& h) const { return data_[h.solid]->geometry().position(point(h)); }
-  std::uint32_t& place_of(const Hub& h) { return place_[h.solid][h.number]; }
-  std::uint32_t place_of(const Hub& h) const { return place_[h.solid][h.number]; }
+  const Block& block(int s, std::uint32_t slot) const { return *data_[s]->slot(slot).block; }
+  const Block& block(const Hub& h) const { return block(h.solid, h.slot); }
+  const Hubs& hubs(int s, std::uint32_t slot) const { return block(s, slot).tree().hubs(); }
+  PointId point(const Hub& h) const { return hubs(h.solid, h.slot).point(h.number); }
+  const Vec3& position(const Hub& h) const { return block(h).geometry.position(point(h)); }
+  std::uint32_t& place_of(const Hub& h) {
+    return place_[h.solid][first_[h.solid][h.slot] + h.number];
+  }
+  std::uint32_t place_of(const Hub& h) const {
+    return place_[h.solid][first_[h.solid][h.slot] + h.number];
+  }
   bool are_at_one_place(const Hub& g, const Hub& h) const {
-    return same_point(data_[g.solid]->geometry(), point(g), data_[h.solid]->geometry(), point(h));
+    return same_point(block(g).geometry, point(g), block(h).geometry, point(h));
   }
 
   template <class Visit>
@@ -89,11 +131,10 @@ class CommonHubs {
       Fan fan[2];
       for (to = from; to < order_.size() && place_of(order_[to]) == place_of(order_[from]); ++to) {
         const Hub& h = order_[to];
-        const auto faces = hubs(h.solid).faces(h.number);
-        const SolidData& data = *data_[h.solid];
+        const auto faces = hubs(h.solid, h.slot).faces(h.number);
         Fan& mine = fan[h.solid];
-        mine.faces.insert(mine.faces.end(), faces.begin(), faces.end());
-        append(mine.directions, direction_boxes(data.brep(), data.geometry(), point(h), faces));
+        for (const FaceId f : faces) mine.faces.push_back(data_[h.solid]->face(h.slot, f));
+        append(mine.directions, direction_boxes(block(h).brep, block(h).geometry, point(h), faces));
       }
       if (!fan[0].faces.empty() && !fan[1].faces.empty())
         visit(fan[0], fan[1], position(order_[from]));
@@ -116,6 +157,7 @@ class CommonHubs {
 
   const SolidData* data_[2];
   std::vector<Hub> order_;               // by place
+  std::vector<std::uint32_t> first_[2];  // per slot: its first hub
   std::vector<std::uint32_t> place_[2];  // per hub
 };
 
@@ -136,15 +178,33 @@ FaceId loaded_face(const Patch& patch, FaceId face) {
   return FaceId(static_cast<std::size_t>(at - patch.face_in_solid.begin()));
 }
 
+namespace {
+
+// Pairs of faces whose boxes overlap, but for those that have a hub in common.
+void add_pairs(const SolidData& a, const SolidData& b, const SlotPairs& slots,
+               const CommonHubs& hubs, FacePairs& pairs) {
+  const auto parts =
+      collect<FacePairs>(slots.pairs().size(), 8, [&](std::size_t i, FacePairs& out) {
+        const auto [s, t] = slots.pairs()[i];
+        BoxTree::overlaps(
+            a.slot(s).block->tree(), b.slot(t).block->tree(),
+            [&](std::uint32_t f, std::uint32_t g) {
+              out.push_back({a.face(s, FaceId(f)), b.face(t, FaceId(g))});
+            },
+            [&](std::uint32_t hub, std::uint32_t other) {
+              return !hubs.empty() && hubs.are_at_one_place(s, hub, t, other);
+            });
+      });
+  for (const FacePairs& part : parts) append(pairs, part);
+}
+
+}  // namespace
+
 void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs) {
-  const CommonHubs hubs(a, b);
+  const SlotPairs slots(a, b);
+  const CommonHubs hubs(a, b, slots);
   pairs.clear();
-  BoxTree::overlaps(
-      a.tree(), b.tree(),
-      [&](std::uint32_t f, std::uint32_t g) {
-        pairs.push_back({FaceId(f), FaceId(g)});
-      },
-      [&](std::uint32_t hub, std::uint32_t other) { return hubs.are_at_one_place(hub, other); });
+  add_pairs(a, b, slots, hubs, pairs);
   hubs.add_pairs(pairs);
   w.patch[0] = load_patch(a, faces_of(pairs, false), w.geometry);
   w.patch[1] = load_patch(b, faces_of(pairs, true), w.geometry);

@@ -3,99 +3,20 @@
 #include "geometry/kernel.h"
 #include "search/id_map.h"
 #include "sectile/errors.h"
+#include "storage/geometry_loader.h"
 
 namespace sectile {
 namespace {
 
 constexpr std::size_t many_corners = 24;
 
-// Copies points and planes from a solid's tables to the workspace's, each once.
-class GeometryLoader {
- public:
-  GeometryLoader(const Geometry& from, Geometry& to, std::size_t expected)
-      : from_(from), to_(to), points_(expected), planes_(expected) {}
-
-  PointId point(PointId p) {
-    if (!p.valid()) return p;
-    const std::uint32_t known = points_[p.value()];
-    if (known != IdMap::none) return PointId(known);
-    PointId made;
-    if (from_.is_explicit(p)) {
-      made = to_.add_point(from_.position(p));
-    } else {
-      const Construction& how = from_.construction(p);
-      const Construction mine{plane(how.a), plane(how.b), plane(how.c), point(how.line_from),
-                              point(how.line_to)};
-      made = to_.add_point(mine, from_.position(p));
-    }
-    points_[p.value()] = made.value();
-    return made;
-  }
-
-  PlaneId plane(PlaneId s) {
-    if (!s.valid()) return s;
-    const std::uint32_t known = planes_[s.value()];
-    if (known != IdMap::none) return PlaneId(known);
-    const PlaneId made = copy(from_.definition(s));
-    planes_[s.value()] = made.value();
-    return made;
-  }
-
- private:
-  PlaneId copy(PlaneDefinition how) {
-    using Kind = PlaneDefinition::Kind;
-    if (how.kind() == Kind::coefficients) return to_.add_plane(from_.coefficients[how.a]);
-    how.a = point(PointId(how.a)).value();
-    how.b = point(PointId(how.b)).value();
-    if (how.kind() == Kind::three_points) how.c = point(PointId(how.c)).value();
-    return to_.add_plane(how);
-  }
-
-  const Geometry& from_;
-  Geometry& to_;
-  IdMap points_, planes_;
-};
-
-// All tables at once, by adding offsets.
-void append_geometry(const Geometry& from, Geometry& to, std::uint32_t& points,
-                     std::uint32_t& planes) {
-  using Kind = PlaneDefinition::Kind;
-  points = static_cast<std::uint32_t>(to.positions.size());
-  planes = static_cast<std::uint32_t>(to.planes.size());
-  const auto constructions = static_cast<std::uint32_t>(to.constructions.size());
-  const auto coefficients = static_cast<std::uint32_t>(to.coefficients.size());
-  to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
-  to.coefficients.insert(to.coefficients.end(), from.coefficients.begin(), from.coefficients.end());
-  to.construct.reserve(to.construct.size() + from.construct.size());
-  for (const std::uint32_t c : from.construct)
-    to.construct.push_back(c == Geometry::explicit_point ? c : c + constructions);
-  const auto moved_point = [&](PointId p) { return p.valid() ? PointId(p.value() + points) : p; };
-  const auto moved_plane = [&](PlaneId s) { return PlaneId(s.value() + planes); };
-  for (const Construction& c : from.constructions)
-    to.constructions.push_back({moved_plane(c.a), moved_plane(c.b), moved_plane(c.c),
-                                moved_point(c.line_from), moved_point(c.line_to)});
-  to.planes.reserve(to.planes.size() + from.planes.size());
-  for (PlaneDefinition s : from.planes) {
-    if (s.kind() == Kind::coefficients) {
-      s.a += coefficients;
-    } else {
-      if (s.kind() == Kind::three_points) s.c += points;
-      s.a += points;
-      s.b += points;
-    }
-    to.planes.push_back(s);
-  }
-}
-
 Patch load_whole(const SolidData& solid, Geometry& geometry) {
   Patch patch;
-  std::uint32_t points, planes;
-  append_geometry(solid.geometry(), geometry, points, planes);
+  const GeometryOffset offset = append_geometry(solid.geometry(), geometry);
   patch.brep = solid.brep();
-  for (PlaneId& s : patch.brep.plane) s = PlaneId(s.value() + planes);
-  for (PlaneId& s : patch.brep.edge_plane)
-    if (s.valid()) s = PlaneId(s.value() + planes);
-  for (PointId& p : patch.brep.point) p = PointId(p.value() + points);
+  for (PlaneId& s : patch.brep.plane) s = offset.plane(s);
+  for (PlaneId& s : patch.brep.edge_plane) s = offset.plane(s);
+  for (PointId& p : patch.brep.point) p = offset.point(p);
   patch.brep.kind.assign(patch.brep.face_count(), FaceKind::real);
   patch.face_in_solid.resize(patch.brep.face_count());
   for (std::size_t f = 0; f < patch.face_in_solid.size(); ++f) patch.face_in_solid[f] = FaceId(f);
@@ -108,9 +29,7 @@ Patch load_whole(const SolidData& solid, Geometry& geometry) {
 class PartLoader {
  public:
   PartLoader(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry)
-      : from_(solid.brep()),
-        edges_(3 * faces.size()),
-        geometry_(solid.geometry(), geometry, 3 * faces.size()) {
+      : solid_(solid), to_(geometry), edges_(3 * faces.size()), loaders_(solid.slots().size()) {
     for (const FaceId f : faces) load_face(f);
     close_open_ends();
     make_vertices();
@@ -119,23 +38,59 @@ class PartLoader {
   Patch take() { return std::move(patch_); }
 
  private:
-  HalfEdgeId local(HalfEdgeId h) {
-    std::uint32_t& slot = edges_[Brep::edge_of(h).value()];
-    if (slot == IdMap::none) {
+  // A half-edge of the solid.
+  struct Source {
+    std::uint32_t slot;
+    HalfEdgeId h;  // in the slot's block
+  };
+
+  GeometryLoader& geometry(std::uint32_t slot) {
+    if (!loaders_[slot])
+      loaders_[slot] = std::make_unique<GeometryLoader>(solid_.slot(slot).block->geometry, to_, 64);
+    return *loaders_[slot];
+  }
+
+  PlaneId face_plane(const Source& from) {
+    const Slot& slot = solid_.slot(from.slot);
+    return geometry(from.slot).plane(slot.block->brep.plane_of(from.h), slot.turned);
+  }
+
+  // The loaded half-edge; an edge between two blocks goes by the smaller number of its half-edges.
+  HalfEdgeId local(std::uint32_t slot, HalfEdgeId h) {
+    Source first{slot, HalfEdgeId(h.value() & ~1u)}, second{slot, HalfEdgeId(h.value() | 1u)};
+    unsigned side = h.value() & 1u;
+    if (solid_.slot(slot).block->is_border(h)) {
+      const auto beyond = solid_.across(slot, h);
+      second = {beyond.slot, beyond.local};
+      if (beyond.slot < slot || (beyond.slot == slot && beyond.local < h)) {
+        std::swap(first, second);
+        side = 1;
+      }
+    }
+    const HalfEdgeId number = solid_.half_edge(first.slot, first.h);
+    std::uint32_t& known = edges_[number.value() / 2];
+    if (known == IdMap::none) {
       Brep& to = patch_.brep;
-      slot = static_cast<std::uint32_t>(to.edge_count());
+      known = static_cast<std::uint32_t>(to.edge_count());
       const std::size_t count = to.half_edge_count() + 2;
       to.origin.resize(count);
       to.next.resize(count);
       to.prev.resize(count);
       to.loop.resize(count);
-      patch_.edge_in_solid.push_back(Brep::edge_of(h));
-      in_solid_.push_back(Brep::half_edge(Brep::edge_of(h), 0));
-      in_solid_.push_back(Brep::half_edge(Brep::edge_of(h), 1));
-      if (!from_.edge_plane.empty())
-        to.edge_plane.push_back(geometry_.plane(from_.edge_plane[Brep::edge_of(h).value()]));
+      patch_.edge_in_solid.push_back(Brep::edge_of(number));
+      source_.push_back(first);
+      source_.push_back(second);
+      keep_edge_plane(first, EdgeId(known));
     }
-    return Brep::half_edge(EdgeId(slot), h.value() & 1u);
+    return Brep::half_edge(EdgeId(known), side);
+  }
+
+  void keep_edge_plane(const Source& from, EdgeId made) {
+    const PlaneId plane = solid_.slot(from.slot).block->brep.extra_plane(Brep::edge_of(from.h));
+    if (!plane.valid()) return;
+    std::vector<PlaneId>& planes = patch_.brep.edge_plane;
+    planes.resize(made.value() + std::size_t(1));
+    planes.back() = geometry(from.slot).plane(plane);
   }
 
   FaceId add_face(PlaneId plane, FaceSource source, FaceKind kind) {
@@ -162,20 +117,32 @@ class PartLoader {
   }
 
   void load_face(FaceId f) {
-    const FaceId mine =
-        add_face(geometry_.plane(from_.plane[f.value()]), from_.source[f.value()], FaceKind::real);
+    const std::uint32_t slot = solid_.slot_of(f);
+    const Slot& from = solid_.slot(slot);
+    const Brep& brep = from.block->brep;
+    const std::uint32_t there = solid_.local(slot, f).value();
+    const FaceId mine = add_face(geometry(slot).plane(brep.plane[there], from.turned),
+                                 brep.source[there], FaceKind::real);
     patch_.face_in_solid.push_back(f);
     LoopId last;
-    for (LoopId l = from_.outer_loop[f.value()]; l.valid(); l = from_.next_loop[l.value()]) {
+    for (LoopId l = brep.outer_loop[there]; l.valid(); l = brep.next_loop[l.value()]) {
       const LoopId loop = add_loop(mine, last);
       Brep& to = patch_.brep;
-      for_each_in_loop(from_, l, [&](HalfEdgeId h) {
-        const HalfEdgeId here = local(h), after = local(from_.next_of(h));
-        to.next[here.value()] = after;
-        to.prev[after.value()] = here;
+      HalfEdgeId before;
+      for_each_in_loop(from, l, [&](HalfEdgeId h) {
+        const HalfEdgeId here = local(slot, h);
+        if (before.valid()) {
+          to.next[before.value()] = here;
+          to.prev[here.value()] = before;
+        } else {
+          to.loop_half_edge[loop.value()] = here;
+        }
         to.loop[here.value()] = loop;
-        to.loop_half_edge[loop.value()] = here;
+        before = here;
       });
+      const HalfEdgeId first = to.loop_half_edge[loop.value()];
+      to.next[before.value()] = first;
+      to.prev[first.value()] = before;
     }
   }
 
@@ -183,16 +150,17 @@ class PartLoader {
   // around its end.
   void close_open_ends() {
     Brep& to = patch_.brep;
+    if (!to.edge_plane.empty()) to.edge_plane.resize(to.edge_count());
     patch_.half_edge_in_solid.assign(to.half_edge_count(), HalfEdgeId());
     patch_.side_plane.resize(to.half_edge_count());
     std::vector<HalfEdgeId> open;
     for (std::size_t i = 0; i < to.half_edge_count(); ++i)
       if (!to.loop[i].valid()) open.push_back(HalfEdgeId(i));
     for (const HalfEdgeId h : open) {
-      patch_.half_edge_in_solid[h.value()] = in_solid_[h.value()];
+      const Source& from = source_[h.value()];
+      patch_.half_edge_in_solid[h.value()] = solid_.half_edge(from.slot, from.h);
       // The plane beyond the open end still bounds the loaded face's edge.
-      patch_.side_plane[Brep::twin(h).value()] =
-          geometry_.plane(from_.plane_of(in_solid_[h.value()]));
+      patch_.side_plane[Brep::twin(h).value()] = face_plane(from);
       HalfEdgeId after = Brep::twin(h);
       do after = Brep::twin(to.prev_of(after));
       while (to.loop[after.value()].valid());
@@ -215,9 +183,12 @@ class PartLoader {
     for (std::size_t i = 0; i < to.half_edge_count(); ++i) {
       if (to.origin[i].valid()) continue;
       const HalfEdgeId first{i};
-      const VertexId v(to.vertex_count()), there = from_.from(in_solid_[i]);
-      patch_.vertex_in_solid.push_back(there);
-      to.point.push_back(geometry_.point(from_.point_of(there)));
+      const VertexId v(to.vertex_count());
+      const Source& from = source_[i];
+      const Slot& slot = solid_.slot(from.slot);
+      const VertexId there = slot.from(from.h);
+      patch_.vertex_in_solid.push_back(VertexId(solid_.base(from.slot) + there.value()));
+      to.point.push_back(geometry(from.slot).point(slot.block->brep.point_of(there)));
       to.vertex_half_edge.push_back(first);
       HalfEdgeId h = first;
       do {
@@ -228,17 +199,18 @@ class PartLoader {
     }
   }
 
-  const Brep& from_;
+  const SolidData& solid_;
+  Geometry& to_;
   Patch patch_;
-  IdMap edges_;
-  GeometryLoader geometry_;
-  std::vector<HalfEdgeId> in_solid_;  // per local half-edge
+  IdMap edges_;                                           // by their numbers in the solid
+  std::vector<std::unique_ptr<GeometryLoader>> loaders_;  // per slot
+  std::vector<Source> source_;                            // per loaded half-edge
 };
 
 }  // namespace
 
 Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry) {
-  Patch patch = 2 * faces.size() >= solid.brep().face_count()
+  Patch patch = solid.is_whole() && 2 * faces.size() >= solid.face_count()
                     ? load_whole(solid, geometry)
                     : PartLoader(solid, faces, geometry).take();
   patch.solid = &solid;

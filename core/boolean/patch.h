@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "search/box_tree.h"
-#include "search/solid_data.h"
+#include "storage/solid_data.h"
 
 namespace sectile {
 

@@ -1,6 +1,7 @@
 #include "boolean/ray.h"
 
 #include "sectile/errors.h"
+#include "storage/face_query.h"
 
 namespace sectile {
 namespace {
@@ -42,17 +43,14 @@ class RayTest {
 bool is_inside(Workspace& w, int other, PointId point) {
   const Patch& patch = w.patch[other];
   if (patch.unbounded) return w.tests().side(point, patch.plane(FaceId(0))) == Sign::negative;
-  const FaceTree& tree = patch.solid->tree();
+  const SolidData& solid = *patch.solid;
   const Vec3 p = w.geometry.position(point);
-  if (tree.empty() || !tree.bounds().contains(p)) return false;
-  std::vector<FaceId> faces;
-  tree.query(
-      [&](const Box& b) {
-        return b.high[0] >= p.x && b.low[1] <= p.y && p.y <= b.high[1] && b.low[2] <= p.z &&
-               p.z <= b.high[2];
-      },
-      [&](std::uint32_t f) { faces.push_back(FaceId(f)); });
-  std::sort(faces.begin(), faces.end());
+  const auto meets = [&](const Box& b) {
+    return b.high[0] >= p.x && b.low[1] <= p.y && p.y <= b.high[1] && b.low[2] <= p.z &&
+           p.z <= b.high[2];
+  };
+  if (solid.slot_tree().empty() || !solid.slot_tree().bounds().contains(p)) return false;
+  std::vector<FaceId> faces = faces_where(solid, meets);
   const Patch hit = load_patch(*patch.solid, faces, w.geometry);
   w.kernel->refresh();
   const RayTest ray(w.tests(), hit.brep, point);

@@ -127,8 +127,12 @@ void report_components(const Workspace& w, const FaceLabels& kept_faces, Operati
       ++all;
       stays += kept_faces.loaded[s][f];
     }
-    for (const std::uint8_t label : kept_faces.rest[s]) stays += label;
-    if (!kept_faces.rest[s].empty()) all += kept_faces.rest[s].size() - w.patch[s].loaded_faces;
+    if (const RestLabels& rest = kept_faces.rest[s]; !rest.empty())
+      for (std::size_t f = 0; f < w.patch[s].solid->face_count(); ++f) {
+        const std::uint8_t label = rest.label(0, FaceId(f));
+        all += label != RestLabels::loaded;
+        stays += label == 1;
+      }
     for (const Class c : {Class::in, Class::out}) {
       const bool is_kept = kept(operation, s, c);
       TraceEvent& event = events.emplace_back();

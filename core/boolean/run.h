@@ -7,6 +7,10 @@
 
 namespace sectile {
 
+/// What is loaded of a solid: events name entities of one block.
+inline const SolidData& operand(const Solid& solid, const BooleanOptions& options) {
+  return options.observer ? solid.data()->in_one_block() : *solid.data();
+}
 /// Loads the faces that may meet; `pairs` are pairs of loaded faces, ascending.
 void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs);
 /// The loaded face that stands for a face of the operand.

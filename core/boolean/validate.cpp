@@ -75,7 +75,7 @@ class Validator {
     Workspace w(options);
     try {
       FacePairs pairs;
-      load(w, data_, data_, pairs);
+      load(w, data_.in_one_block(), data_.in_one_block(), pairs);
       reduce(w, pairs);
       find_neighborhoods(w, {});
     } catch (const InternalError& error) {

@@ -148,6 +148,7 @@ std::shared_ptr<const SolidData> import_view(const SoupView& soup) {
   BrepBuilder(polygons, mate, data->brep()).run(data->origin);
   pin_flat_edges(data->brep(), data->geometry(), kernel);
   check_orientation(*data, kernel);
+  data->cut();
   return data;
 }
 

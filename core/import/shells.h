@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/kernel.h"
-#include "search/solid_data.h"
+#include "storage/solid_data.h"
 
 namespace sectile {
 

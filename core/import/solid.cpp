@@ -6,7 +6,7 @@
 #include "import/face_predicates.h"
 #include "import/shells.h"
 #include "import/soup.h"
-#include "search/solid_data.h"
+#include "storage/solid_data.h"
 
 namespace sectile {
 
@@ -23,7 +23,7 @@ Solid Solid::from_mesh(const PolygonMesh& mesh) {
 }
 
 bool Solid::is_empty() const {
-  return !data_ || data_->brep().face_count() == 0;
+  return !data_ || data_->empty();
 }
 
 std::uint32_t Solid::origin() const {

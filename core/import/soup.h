@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "search/solid_data.h"
 #include "sectile/mesh.h"
+#include "storage/solid_data.h"
 
 namespace sectile {
 

@@ -76,6 +76,7 @@ std::shared_ptr<const SolidData> exact_image(const SolidData& data, const ExactA
   image->brep() = data.brep();
   image->origin = data.origin;
   if (affine.mirrors()) reverse_faces(image->brep());
+  image->cut();
   return image;
 }
 
@@ -121,6 +122,7 @@ std::shared_ptr<const SolidData> rounded_image(const SolidData& data, const Exac
   image->geometry() = imported->geometry();
   image->origin = data.origin;
   for (FaceSource& source : image->brep().source) source = data.brep().source[source.face];
+  image->cut();
   return image;
 }
 

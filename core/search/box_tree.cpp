@@ -4,6 +4,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
+#include "search/morton.h"
+
 namespace sectile {
 namespace {
 
@@ -18,37 +20,6 @@ void for_range(std::size_t count, const Body& body) {
                       [&](const auto& range) { body(range.begin(), range.end()); });
   }
 }
-
-// Spreads the low ten bits to every third bit.
-std::uint32_t spread(std::uint32_t x) {
-  x = (x | (x << 16)) & 0x030000FFu;
-  x = (x | (x << 8)) & 0x0300F00Fu;
-  x = (x | (x << 4)) & 0x030C30C3u;
-  return (x | (x << 2)) & 0x09249249u;
-}
-
-class Morton {
- public:
-  explicit Morton(const Box& bounds) {
-    for (int k = 0; k < 3; ++k) {
-      low_[k] = bounds.low[k];
-      const double extent = double(bounds.high[k]) - bounds.low[k];
-      scale_[k] = extent > 0 && std::isfinite(extent) ? 1024.0 / extent : 0.0;
-    }
-  }
-  std::uint32_t operator()(const Box& box) const {
-    std::uint32_t key = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double centre = 0.5 * (double(box.low[k]) + box.high[k]);
-      const double cell = (centre - low_[k]) * scale_[k];
-      key |= spread(cell >= 1023 ? 1023u : cell > 0 ? static_cast<std::uint32_t>(cell) : 0u) << k;
-    }
-    return key;
-  }
-
- private:
-  double low_[3], scale_[3];
-};
 
 std::vector<Box> pairs_above(const std::vector<Box>& below) {
   std::vector<Box> level((below.size() + 1) / 2);

@@ -10,6 +10,7 @@
 #include "numbers/rounding.h"
 #include "sectile/boolean.h"
 #include "sectile/errors.h"
+#include "storage/face_query.h"
 
 namespace sectile {
 namespace {
@@ -47,9 +48,7 @@ class MeetsPlane {
 
 void load(Workspace& w, const SolidData& solid, const HalfSpace& h, std::uint32_t origin,
           FacePairs& pairs) {
-  std::vector<FaceId> faces;
-  solid.tree().query(MeetsPlane(h), [&](std::uint32_t f) { faces.push_back(FaceId(f)); });
-  std::sort(faces.begin(), faces.end());
+  const std::vector<FaceId> faces = faces_where(solid, MeetsPlane(h));
   w.patch[0] = load_patch(solid, faces, w.geometry);
   // The normal points out of the half-space.
   const PlaneId plane = w.geometry.add_plane(PlaneCoefficients{-h.a, -h.b, -h.c, -h.d});
@@ -71,7 +70,7 @@ std::pair<Solid, Solid> split(const Solid& solid, const HalfSpace& half_space,
   if (solid.is_empty()) return {};
   Workspace w(options);
   FacePairs pairs;
-  load(w, *solid.data(), half_space, new_origin(), pairs);
+  load(w, operand(solid, options), half_space, new_origin(), pairs);
   const Operation wanted[] = {above, below};
   cut(w, pairs, wanted);
   return {assemble(w, above, 0), assemble(w, below, 1)};

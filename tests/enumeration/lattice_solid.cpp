@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "search/solid_data.h"
+#include "storage/solid_data.h"
 
 namespace sectile::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <random>
 
-#include "search/solid_data.h"
 #include "sectile/sectile.h"
+#include "storage/solid_data.h"
 #include "topology/links.h"
 
 namespace sectile {

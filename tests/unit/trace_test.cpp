@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "samples/samples.h"
-#include "search/solid_data.h"
 #include "sectile/sectile.h"
+#include "storage/solid_data.h"
 
 namespace sectile {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -9,10 +10,10 @@
 
 #include "numbers/dyadic.h"
 #include "primitives/exact_affine.h"
-#include "search/solid_data.h"
 #include "sectile/boolean.h"
 #include "sectile/primitives.h"
 #include "sectile/validate.h"
+#include "storage/solid_data.h"
 
 namespace sectile {
 namespace {
@@ -128,6 +129,12 @@ TEST(TransformedMesh, MirroringTurnsFaces) {
   EXPECT_THROW(transformed(mesh, Transform::scaling({1, 1, -1})), std::invalid_argument);
 }
 
+std::vector<FaceSource> sorted_sources(const Solid& solid) {
+  std::vector<FaceSource> sources = solid.data()->brep().source;
+  std::sort(sources.begin(), sources.end());
+  return sources;
+}
+
 TEST(TransformedSolid, ExactImagesKeepTheStructure) {
   const Profile profile{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {2, 1}, {2, 2}, {1, 2}}}};
   const Solid solid = extrude(profile, 3);
@@ -141,7 +148,7 @@ TEST(TransformedSolid, ExactImagesKeepTheStructure) {
     EXPECT_EQ(moved.counts().loops, solid.counts().loops);
     EXPECT_EQ(moved.counts().genus, 1);
     EXPECT_EQ(moved.origin(), solid.origin());
-    EXPECT_EQ(moved.data()->brep().source, solid.data()->brep().source);
+    EXPECT_EQ(sorted_sources(moved), sorted_sources(solid));
   }
 }
 

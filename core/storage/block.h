@@ -1,0 +1,49 @@
+// A block: some neighbouring faces of a boundary, with points and planes of their own. Solids share
+// blocks; a block never changes once it is in a solid.
+//
+// Its half-edge structure is that of a solid (topology/brep.h), but for the edges that leave the
+// block. They come first, edges 0 … border_count - 1: the even half-edge belongs to a face of the
+// block; the odd one has no loop and stands for a half-edge of a neighbouring block, which has the
+// same edge among its own. Who the neighbour is depends on the solid and is said by the slot.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "geometry/geometry.h"
+#include "search/face_tree.h"
+#include "topology/brep.h"
+
+namespace sectile {
+
+/// The faces of a block that hang together over its edges.
+struct Pieces {
+  std::vector<std::uint32_t> of_face;
+  std::uint32_t count = 0;
+};
+
+class Block {
+ public:
+  Brep brep;
+  Geometry geometry;
+  std::uint32_t border_count = 0;
+
+  bool is_border(EdgeId e) const { return e.value() < border_count; }
+  bool is_border(HalfEdgeId h) const { return h.value() < 2 * border_count; }
+
+  // Found when first asked for, and then kept.
+  const FaceTree& tree() const;
+  const Pieces& pieces() const;
+  /// Of all corners.
+  const Box& bounds() const;
+
+ private:
+  mutable std::once_flag tree_once_, pieces_once_, bounds_once_;
+  mutable std::unique_ptr<FaceTree> tree_;
+  mutable Pieces pieces_;
+  mutable Box bounds_;
+};
+
+}  // namespace sectile

@@ -1,0 +1,235 @@
+#include "storage/cut_into_blocks.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include "search/face_tree.h"
+#include "search/morton.h"
+#include "storage/geometry_loader.h"
+
+namespace sectile {
+namespace {
+
+constexpr std::size_t corners_of_a_block = 4096;
+constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+// Faces in the order of a curve that fills space, in groups.
+class Groups {
+ public:
+  explicit Groups(const PartToCut& part) : part_(part), of_face_(part.brep.face_count(), none) {
+    const std::vector<std::uint64_t> keys = sorted_keys();
+    std::size_t corners = 0;
+    for (const std::uint64_t key : keys) {
+      const auto f = static_cast<std::uint32_t>(key);
+      const std::size_t more = corners_of(FaceId(f));
+      if (faces_.empty() || faces_.size() - end_.back() >= faces_of_a_block ||
+          corners + more > corners_of_a_block) {
+        end_.push_back(static_cast<std::uint32_t>(faces_.size()));
+        corners = 0;
+      }
+      corners += more;
+      faces_.push_back(FaceId(f));
+      of_face_[f] = static_cast<std::uint32_t>(end_.size() - 1);
+    }
+    end_.push_back(static_cast<std::uint32_t>(faces_.size()));
+  }
+
+  std::size_t count() const { return end_.size() - 1; }
+  std::span<const FaceId> operator[](std::size_t g) const {
+    return std::span(faces_).subspan(end_[g], end_[g + 1] - end_[g]);
+  }
+  /// None for faces that stand for what is outside.
+  std::uint32_t of(FaceId f) const { return of_face_[f.value()]; }
+
+ private:
+  std::size_t corners_of(FaceId f) const {
+    std::size_t corners = 0;
+    for_each_in_face(part_.brep, f, [&](HalfEdgeId) { ++corners; });
+    return corners;
+  }
+
+  std::vector<std::uint64_t> sorted_keys() const {
+    const Brep& brep = part_.brep;
+    std::vector<Box> boxes(brep.face_count());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048),
+                      [&](const auto& range) {
+                        for (std::size_t f = range.begin(); f < range.end(); ++f)
+                          if (brep.kind_of(FaceId(f)) == FaceKind::real)
+                            boxes[f] = face_box(brep, part_.geometry, FaceId(f));
+                      });
+    std::vector<std::uint64_t> keys;
+    keys.reserve(boxes.size());
+    Box all;
+    for (const Box& b : boxes) all.add(b);
+    const Morton morton(all);
+    for (std::size_t f = 0; f < boxes.size(); ++f)
+      if (brep.kind_of(FaceId(f)) == FaceKind::real)
+        keys.push_back(std::uint64_t(morton(boxes[f])) << 32 | f);
+    tbb::parallel_sort(keys.begin(), keys.end());
+    return keys;
+  }
+
+  const PartToCut& part_;
+  std::vector<FaceId> faces_;
+  std::vector<std::uint32_t> end_, of_face_;
+};
+
+class Cutter {
+ public:
+  explicit Cutter(const PartToCut& part)
+      : part_(part),
+        brep_(part.brep),
+        groups_(part),
+        blocks_(groups_.count()),
+        links_(groups_.count()),
+        local_(brep_.half_edge_count()),
+        made_{{}, std::vector<BorderEdge>(part.outside.size())} {
+    for (auto& block : blocks_) block = std::make_shared<Block>();
+  }
+
+  CutPart run() {
+    for_each_group([&](std::size_t g) { number_edges(g); });
+    for_each_group([&](std::size_t g) { fill(g); });
+    for (std::size_t g = 0; g < blocks_.size(); ++g) {
+      auto links =
+          links_[g].empty() ? nullptr : std::make_shared<const BorderLinks>(std::move(links_[g]));
+      made_.slots.push_back({std::move(blocks_[g]), std::move(links), false});
+    }
+    return std::move(made_);
+  }
+
+ private:
+  template <class Body>
+  void for_each_group(const Body& body) const {
+    if (blocks_.size() < 4) {
+      for (std::size_t g = 0; g < blocks_.size(); ++g) body(g);
+    } else {
+      tbb::parallel_for(std::size_t(0), blocks_.size(), body);
+    }
+  }
+
+  template <class Visit>
+  void for_each_half_edge(std::size_t g, const Visit& visit) const {
+    for (const FaceId f : groups_[g]) for_each_in_face(brep_, f, visit);
+  }
+
+  bool leaves(HalfEdgeId h, std::size_t g) const {
+    return groups_.of(brep_.face_of(Brep::twin(h))) != g;
+  }
+
+  // Border edges first.
+  void number_edges(std::size_t g) {
+    std::uint32_t next = 0;
+    for_each_half_edge(g, [&](HalfEdgeId h) {
+      if (!leaves(h, g)) return;
+      local_[h.value()] = HalfEdgeId(next);
+      next += 2;
+    });
+    blocks_[g]->border_count = next / 2;
+    for_each_half_edge(g, [&](HalfEdgeId h) {
+      if (local_[h.value()].valid()) return;
+      local_[h.value()] = HalfEdgeId(next);
+      local_[Brep::twin(h).value()] = HalfEdgeId(next + 1);
+      next += 2;
+    });
+    Brep& brep = blocks_[g]->brep;
+    brep.origin.resize(next);
+    brep.next.resize(next);
+    brep.prev.resize(next);
+    brep.loop.resize(next);
+  }
+
+  void fill(std::size_t g) {
+    Block& block = *blocks_[g];
+    GeometryLoader geometry(part_.geometry, block.geometry, groups_[g].size());
+    add_faces(g, block.brep, geometry);
+    add_vertices(g, block, geometry);
+    add_edge_planes(g, block.brep, geometry);
+    add_links(g);
+    block.bounds();
+    block.pieces();
+  }
+
+  void add_faces(std::size_t g, Brep& to, GeometryLoader& geometry) const {
+    for (const FaceId f : groups_[g]) {
+      const FaceId mine(to.face_count());
+      to.plane.push_back(geometry.plane(brep_.plane[f.value()]));
+      to.source.push_back(brep_.source[f.value()]);
+      to.outer_loop.push_back(LoopId(to.loop_count()));
+      for (LoopId l = brep_.outer_loop[f.value()]; l.valid(); l = brep_.next_loop[l.value()]) {
+        const LoopId loop(to.loop_count());
+        to.loop_face.push_back(mine);
+        to.loop_half_edge.push_back(local_[brep_.loop_half_edge[l.value()].value()]);
+        to.next_loop.push_back(brep_.next_loop[l.value()].valid() ? LoopId(loop.value() + 1)
+                                                                  : LoopId());
+        for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
+          const HalfEdgeId here = local_[h.value()], after = local_[brep_.next_of(h).value()];
+          to.next[here.value()] = after;
+          to.prev[after.value()] = here;
+          to.loop[here.value()] = loop;
+        });
+      }
+    }
+  }
+
+  void add_vertices(std::size_t g, Block& block, GeometryLoader& geometry) const {
+    Brep& to = block.brep;
+    IdMap numbers(groups_[g].size());
+    for_each_half_edge(g, [&](HalfEdgeId h) {
+      std::uint32_t& known = numbers[brep_.from(h).value()];
+      const HalfEdgeId here = local_[h.value()];
+      if (known == IdMap::none) {
+        known = static_cast<std::uint32_t>(to.vertex_count());
+        to.vertex_half_edge.push_back(here);
+        to.point.push_back(geometry.point(brep_.point_of(brep_.from(h))));
+      }
+      to.origin[here.value()] = VertexId(known);
+    });
+    for (std::uint32_t e = 0; e < block.border_count; ++e)
+      to.origin[2 * e + 1] = to.from(to.next_of(HalfEdgeId(2 * e)));
+  }
+
+  void add_edge_planes(std::size_t g, Brep& to, GeometryLoader& geometry) const {
+    if (brep_.edge_plane.empty()) return;
+    for_each_half_edge(g, [&](HalfEdgeId h) {
+      const PlaneId plane = brep_.edge_plane[Brep::edge_of(h).value()];
+      const HalfEdgeId here = local_[h.value()];
+      if (!plane.valid() || here.value() % 2 != 0) return;
+      if (to.edge_plane.empty()) to.edge_plane.resize(to.edge_count());
+      to.edge_plane[Brep::edge_of(here).value()] = geometry.plane(plane);
+    });
+  }
+
+  void add_links(std::size_t g) {
+    BorderLinks& links = links_[g];
+    links.resize(blocks_[g]->border_count);
+    for_each_half_edge(g, [&](HalfEdgeId h) {
+      if (!leaves(h, g)) return;
+      const BorderEdge mine{part_.places(g), local_[h.value()].value() / 2};
+      BorderEdge other;
+      if (const std::uint32_t beyond = groups_.of(brep_.face_of(Brep::twin(h))); beyond != none) {
+        other = {part_.places(beyond), local_[Brep::twin(h).value()].value() / 2};
+      } else {
+        other = part_.outside[Brep::edge_of(h).value()];
+        made_.outside[Brep::edge_of(h).value()] = mine;
+      }
+      links[mine.border] = {static_cast<std::int32_t>(other.slot - mine.slot), other.border};
+    });
+  }
+
+  const PartToCut& part_;
+  const Brep& brep_;
+  Groups groups_;
+  std::vector<std::shared_ptr<Block>> blocks_;
+  std::vector<BorderLinks> links_;
+  std::vector<HalfEdgeId> local_;  // per half-edge: in its face's block
+  CutPart made_;
+};
+
+}  // namespace
+
+CutPart cut_into_blocks(const PartToCut& part) {
+  return Cutter(part).run();
+}
+
+}  // namespace sectile

@@ -1,0 +1,50 @@
+// Cuts a boundary, or a part of one, into blocks of neighbouring faces.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "storage/solid_data.h"
+
+namespace sectile {
+
+#ifdef SECTILE_SMALL_BLOCKS  // for tests: even a cube is in several blocks
+inline constexpr std::size_t most_faces_of_a_block = 4, faces_of_a_block = 3, few_faces = 2;
+#else
+/// A boundary of up to so many faces stays in one block; a larger one is cut into blocks of so
+/// many; blocks of few faces are made anew with others that are, lest blocks become many.
+inline constexpr std::size_t most_faces_of_a_block = 256, faces_of_a_block = 128, few_faces = 32;
+#endif
+
+/// A border edge of the block in a slot.
+struct BorderEdge {
+  std::uint32_t slot, border;
+};
+
+/// The slots that new blocks take: those that are free, then new ones behind the last.
+struct Places {
+  std::span<const std::uint32_t> free = {};
+  std::uint32_t end = 0;
+  std::uint32_t operator()(std::size_t block) const {
+    return block < free.size() ? free[block]
+                               : end + static_cast<std::uint32_t>(block - free.size());
+  }
+};
+
+/// The real faces of a structure. Its edges 0 … outside.size() - 1 leave it, from their even
+/// half-edges to the border edges named.
+struct PartToCut {
+  const Brep& brep;
+  const Geometry& geometry;
+  std::span<const BorderEdge> outside;
+  Places places;
+};
+
+struct CutPart {
+  std::vector<Slot> slots;          ///< the i-th for places(i)
+  std::vector<BorderEdge> outside;  ///< per edge that leaves the part: where it is now
+};
+
+CutPart cut_into_blocks(const PartToCut& part);
+
+}  // namespace sectile

@@ -1,0 +1,25 @@
+// Looks for faces of a solid by their boxes.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "storage/solid_data.h"
+
+namespace sectile {
+
+/// The faces whose boxes satisfy meets(box), ascending; meets must hold for any box that contains a
+/// box for which it holds.
+template <class Meets>
+std::vector<FaceId> faces_where(const SolidData& solid, const Meets& meets) {
+  std::vector<FaceId> faces;
+  solid.slot_tree().query(meets, [&](std::uint32_t item) {
+    const std::uint32_t slot = solid.slots_in_tree()[item];
+    solid.slot(slot).block->tree().query(
+        meets, [&](std::uint32_t f) { faces.push_back(solid.face(slot, FaceId(f))); });
+  });
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+}  // namespace sectile

@@ -1,0 +1,37 @@
+// Copies points and planes from one geometry to another: those that are asked for, each once, or
+// all.
+#pragma once
+
+#include "geometry/geometry.h"
+#include "search/id_map.h"
+
+namespace sectile {
+
+class GeometryLoader {
+ public:
+  /// `expected`: about how many points there will be.
+  GeometryLoader(const Geometry& from, Geometry& to, std::size_t expected)
+      : from_(from), to_(to), points_(expected), planes_{IdMap(expected), IdMap(0)} {}
+
+  PointId point(PointId p);
+  /// `turned`: with the opposite normal.
+  PlaneId plane(PlaneId s, bool turned = false);
+
+ private:
+  PlaneId copy(PlaneDefinition how, bool turned);
+
+  const Geometry& from_;
+  Geometry& to_;
+  IdMap points_, planes_[2];  // planes as they are, and turned ones
+};
+
+/// What was added to the numbers of points and planes.
+struct GeometryOffset {
+  std::uint32_t points = 0, planes = 0;
+  PointId point(PointId p) const { return p.valid() ? PointId(p.value() + points) : p; }
+  PlaneId plane(PlaneId s) const { return s.valid() ? PlaneId(s.value() + planes) : s; }
+};
+/// Copies all tables at once, behind what there is. `turned`: all planes with the opposite normal.
+GeometryOffset append_geometry(const Geometry& from, Geometry& to, bool turned = false);
+
+}  // namespace sectile

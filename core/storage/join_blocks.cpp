@@ -1,0 +1,146 @@
+#include "storage/join_blocks.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "geometry/kernel.h"
+#include "storage/geometry_loader.h"
+
+namespace sectile {
+namespace {
+
+class Joiner {
+ public:
+  Joiner(const SolidData& solid, Brep& brep, Geometry& geometry)
+      : solid_(solid), brep_(brep), geometry_(geometry), joined_(solid.slots().size()) {}
+
+  void run() {
+    for (std::uint32_t s = 0; s < joined_.size(); ++s) number_edges(s);
+    brep_.next.resize(edges_ * 2);
+    brep_.prev.resize(edges_ * 2);
+    brep_.loop.resize(edges_ * 2);
+    brep_.origin.resize(edges_ * 2);
+    start_.resize(edges_ * 2);
+    for (std::uint32_t s = 0; s < joined_.size(); ++s)
+      if (!solid_.slot(s).empty()) add_block(s);
+    if (!brep_.edge_plane.empty()) brep_.edge_plane.resize(edges_);
+    make_vertices();
+    if (solid_.touches_itself()) share_points();
+  }
+
+ private:
+  std::vector<HalfEdgeId>& joined(std::uint32_t s) {
+    std::vector<HalfEdgeId>& ids = joined_[s];
+    if (ids.empty()) ids.resize(solid_.slot(s).block->brep.half_edge_count());
+    return ids;
+  }
+
+  // An edge between blocks gets its number from the first of them.
+  void number_edges(std::uint32_t s) {
+    if (solid_.slot(s).empty()) return;
+    for (std::uint32_t h = 0; h < joined(s).size(); h += 2) {
+      if (joined_[s][h].valid()) continue;
+      const auto other = solid_.across(s, HalfEdgeId(h));
+      joined_[s][h] = HalfEdgeId(2 * edges_);
+      joined(other.slot)[other.local.value()] = HalfEdgeId(2 * edges_ + 1);
+      ++edges_;
+    }
+  }
+
+  void add_block(std::uint32_t s) {
+    const Slot& slot = solid_.slot(s);
+    const Brep& from = slot.block->brep;
+    const GeometryOffset offset = append_geometry(slot.block->geometry, geometry_, slot.turned);
+    for (std::size_t f = 0; f < from.face_count(); ++f) {
+      const FaceId mine(brep_.face_count());
+      brep_.plane.push_back(offset.plane(from.plane[f]));
+      brep_.source.push_back(from.source[f]);
+      brep_.outer_loop.push_back(LoopId(brep_.loop_count()));
+      for (LoopId l = from.outer_loop[f]; l.valid(); l = from.next_loop[l.value()])
+        add_loop(s, l, mine, offset);
+    }
+    add_edge_planes(s, offset);
+  }
+
+  void add_loop(std::uint32_t s, LoopId l, FaceId face, const GeometryOffset& offset) {
+    const Slot& slot = solid_.slot(s);
+    const Brep& from = slot.block->brep;
+    const std::vector<HalfEdgeId>& ids = joined_[s];
+    const LoopId mine(brep_.loop_count());
+    brep_.loop_face.push_back(face);
+    brep_.loop_half_edge.push_back(ids[from.loop_half_edge[l.value()].value()]);
+    brep_.next_loop.push_back(from.next_loop[l.value()].valid() ? LoopId(mine.value() + 1)
+                                                                : LoopId());
+    for_each_in_loop(slot, l, [&](HalfEdgeId h) {
+      const HalfEdgeId here = ids[h.value()], after = ids[slot.next_of(h).value()];
+      brep_.next[here.value()] = after;
+      brep_.prev[after.value()] = here;
+      brep_.loop[here.value()] = mine;
+      start_[here.value()] = offset.point(slot.start_of(h));
+    });
+  }
+
+  void add_edge_planes(std::uint32_t s, const GeometryOffset& offset) {
+    const Brep& from = solid_.slot(s).block->brep;
+    for (std::size_t e = 0; e < from.edge_plane.size(); ++e) {
+      if (!from.edge_plane[e].valid()) continue;
+      if (brep_.edge_plane.empty()) brep_.edge_plane.resize(edges_);
+      brep_.edge_plane[Brep::edge_of(joined_[s][2 * e]).value()] = offset.plane(from.edge_plane[e]);
+    }
+  }
+
+  // One for each cycle of edges.
+  void make_vertices() {
+    for (std::size_t i = 0; i < brep_.half_edge_count(); ++i) {
+      if (brep_.origin[i].valid()) continue;
+      const HalfEdgeId first{i};
+      const VertexId v(brep_.vertex_count());
+      brep_.point.push_back(start_[i]);
+      brep_.vertex_half_edge.push_back(first);
+      for_each_around(brep_, first, [&](HalfEdgeId h) { brep_.origin[h.value()] = v; });
+    }
+  }
+
+  // Blocks have points of their own.
+  void share_points() {
+    const Kernel kernel(geometry_);
+    std::vector<std::uint32_t> order(brep_.vertex_count());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto position = [&](std::uint32_t v) -> const Vec3& {
+      return geometry_.position(brep_.point[v]);
+    };
+    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+      const Vec3 &p = position(i), &q = position(j);
+      return std::tie(p.x, p.y, p.z, i) < std::tie(q.x, q.y, q.z, j);
+    });
+    for (std::size_t from = 0, to; from < order.size(); from = to) {
+      const Vec3 place = position(order[from]);
+      for (to = from + 1; to < order.size() && position(order[to]) == place; ++to)
+        share_point(kernel, std::span(order).subspan(from, to - from), brep_.point[order[to]]);
+    }
+  }
+
+  // With the first of those before it that is at the same point.
+  void share_point(const Kernel& kernel, std::span<const std::uint32_t> before, PointId& point) {
+    for (const std::uint32_t v : before)
+      if (kernel.same_point(brep_.point[v], point)) {
+        point = brep_.point[v];
+        return;
+      }
+  }
+
+  const SolidData& solid_;
+  Brep& brep_;
+  Geometry& geometry_;
+  std::vector<std::vector<HalfEdgeId>> joined_;  // per slot and half-edge of its block
+  std::vector<PointId> start_;                   // per half-edge
+  std::size_t edges_ = 0;
+};
+
+}  // namespace
+
+void join_blocks(const SolidData& solid, Brep& brep, Geometry& geometry) {
+  Joiner(solid, brep, geometry).run();
+}
+
+}  // namespace sectile

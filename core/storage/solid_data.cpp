@@ -1,0 +1,99 @@
+#include "storage/solid_data.h"
+
+#include <algorithm>
+
+#include "sectile/errors.h"
+#include "storage/cut_into_blocks.h"
+#include "storage/join_blocks.h"
+#include "storage/splice.h"
+
+namespace sectile {
+
+SolidData::SolidData() : making_(std::make_shared<Block>()) {
+  slots_.push_back({making_, nullptr, false});
+  base_ = page_slot_ = {0};
+}
+
+SolidData::SolidData(std::vector<Slot> slots, bool touches_itself)
+    : slots_(std::move(slots)), may_touch_itself_(touches_itself) {
+  number_pages();
+}
+
+void SolidData::cut() {
+  if (brep().face_count() > most_faces_of_a_block) {
+    may_touch_itself_ = touches_itself();
+    slots_ = cut_into_blocks({making_->brep, making_->geometry, {}, Places{}}).slots;
+  }
+  making_.reset();
+  number_pages();
+}
+
+void SolidData::number_pages() {
+  base_.clear();
+  page_slot_.clear();
+  for (std::uint32_t s = 0; s < slots_.size(); ++s) {
+    base_.push_back(static_cast<std::uint32_t>(page_slot_.size() << page_bits));
+    const std::size_t numbers = slots_[s].empty() ? 0 : slots_[s].block->brep.half_edge_count();
+    page_slot_.resize(page_slot_.size() + (numbers >> page_bits) + 1, s);
+  }
+  if (page_slot_.size() >= std::size_t(1) << (30 - page_bits))
+    throw Error("the solid has more half-edges than can be numbered");
+}
+
+const Block& SolidData::whole() const {
+  if (is_whole()) return *slots_[0].block;
+  once_alone(whole_once_, [this] {
+    auto joined = std::make_shared<Block>();
+    join_blocks(*this, joined->brep, joined->geometry);
+    joined_ = std::move(joined);
+  });
+  return *joined_;
+}
+
+const SolidData& SolidData::in_one_block() const {
+  if (is_whole()) return *this;
+  once_alone(one_block_once_, [this] {
+    whole();
+    auto made =
+        std::make_shared<SolidData>(std::vector<Slot>{{joined_, nullptr, false}}, touches_itself());
+    made->origin = origin;
+    in_one_block_ = std::move(made);
+  });
+  return *in_one_block_;
+}
+
+bool SolidData::empty() const {
+  return std::all_of(slots_.begin(), slots_.end(),
+                     [](const Slot& s) { return s.empty() || s.block->brep.face_count() == 0; });
+}
+
+std::size_t SolidData::face_count() const {
+  std::size_t count = 0;
+  for (const Slot& s : slots_)
+    if (!s.empty()) count += s.block->brep.face_count();
+  return count;
+}
+
+const BoxTree& SolidData::slot_tree() const {
+  once_alone(tree_once_, [this] {
+    std::vector<Box> boxes;
+    for (std::uint32_t s = 0; s < slots_.size(); ++s) {
+      if (slots_[s].empty() || slots_[s].block->brep.face_count() == 0) continue;
+      slots_in_tree_.push_back(s);
+      boxes.push_back(slots_[s].block->bounds());
+    }
+    slot_tree_ = BoxTree(boxes);
+  });
+  return slot_tree_;
+}
+
+bool SolidData::touches_itself() const {
+  if (!may_touch_itself_) return false;
+  if (!making_ && !is_whole()) return true;
+  once_alone(touches_once_, [this] {
+    touches_itself_ = vertices_coincide(slots_[0].block->brep, slots_[0].block->geometry);
+  });
+  return touches_itself_;
+}
+
+}  // namespace sectile

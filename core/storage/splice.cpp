@@ -1,0 +1,97 @@
+#include "storage/splice.h"
+
+#include <algorithm>
+
+namespace sectile {
+namespace {
+
+// The border edges of shared blocks lead to the new blocks from now on.
+void link_to_part(std::vector<Slot>& slots, const std::vector<BorderEdge>& outside,
+                  const std::vector<BorderEdge>& made) {
+  std::vector<std::shared_ptr<BorderLinks>> fresh(slots.size());
+  for (std::size_t e = 0; e < outside.size(); ++e) {
+    const auto [slot, border] = outside[e];
+    if (!fresh[slot]) {
+      fresh[slot] = std::make_shared<BorderLinks>(*slots[slot].links);
+      slots[slot].links = fresh[slot];
+    }
+    (*fresh[slot])[border] = {static_cast<std::int32_t>(made[e].slot - slot), made[e].border};
+  }
+}
+
+void add_part(std::vector<Slot>& slots, const NewPart& part) {
+  std::vector<std::uint32_t> free;
+  for (std::uint32_t s = 0; s < slots.size(); ++s)
+    if (slots[s].empty()) free.push_back(s);
+  const Places places{free, static_cast<std::uint32_t>(slots.size())};
+  CutPart made = cut_into_blocks({part.brep, part.geometry, part.outside, places});
+  link_to_part(slots, part.outside, made.outside);
+  for (std::size_t g = 0; g < made.slots.size(); ++g) {
+    const std::uint32_t place = places(g);
+    if (place >= slots.size()) slots.resize(place + std::size_t(1));
+    slots[place] = std::move(made.slots[g]);
+  }
+}
+
+// Closes the gaps if most slots are empty.
+void compact(std::vector<Slot>& slots) {
+  const auto empty = static_cast<std::size_t>(
+      std::count_if(slots.begin(), slots.end(), [](const Slot& s) { return s.empty(); }));
+  if (2 * empty <= slots.size()) return;
+  std::vector<std::uint32_t> gaps_before(slots.size());
+  std::uint32_t gaps = 0;
+  for (std::uint32_t s = 0; s < slots.size(); ++s) {
+    gaps_before[s] = gaps;
+    if (slots[s].empty()) ++gaps;
+  }
+  std::vector<Slot> dense;
+  dense.reserve(slots.size() - gaps);
+  for (std::uint32_t s = 0; s < slots.size(); ++s) {
+    if (slots[s].empty()) continue;
+    Slot& slot = dense.emplace_back(std::move(slots[s]));
+    if (!slot.links) continue;
+    auto links = std::make_shared<BorderLinks>(*slot.links);
+    for (BorderLink& link : *links) {
+      const std::uint32_t other = s + static_cast<std::uint32_t>(link.slots);
+      link.slots -= static_cast<std::int32_t>(gaps_before[other] - gaps_before[s]);
+    }
+    slot.links = std::move(links);
+  }
+  slots = std::move(dense);
+}
+
+}  // namespace
+
+bool vertices_coincide(const Brep& brep, const Geometry& geometry) {
+  std::vector<bool> seen(geometry.positions.size());
+  for (std::size_t v = 0; v < brep.vertex_count(); ++v) {
+    bool divided = false;
+    if (!brep.kind.empty())
+      for_each_around(brep, brep.vertex_half_edge[v], [&](HalfEdgeId h) {
+        divided |= brep.kind_of(brep.face_of(h)) == FaceKind::rest;
+      });
+    if (divided) continue;
+    const std::uint32_t p = brep.point[v].value();
+    if (seen[p]) return true;
+    seen[p] = true;
+  }
+  return false;
+}
+
+std::shared_ptr<SolidData> splice(std::vector<Slot> shared, NewPart part, bool touches_itself) {
+  const bool none_shared =
+      std::all_of(shared.begin(), shared.end(), [](const Slot& s) { return s.empty(); });
+  if (none_shared) {
+    auto made = std::make_shared<SolidData>();
+    made->brep() = std::move(part.brep);
+    made->geometry() = std::move(part.geometry);
+    made->cut();
+    return made;
+  }
+  touches_itself = touches_itself || vertices_coincide(part.brep, part.geometry);
+  if (part.brep.face_count() > 0) add_part(shared, part);
+  compact(shared);
+  return std::make_shared<SolidData>(std::move(shared), touches_itself);
+}
+
+}  // namespace sectile

@@ -1,0 +1,157 @@
+// Solids share what no contact touches: blocks of neighbouring faces.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "sectile/sectile.h"
+#include "storage/cut_into_blocks.h"
+#include "topology/links.h"
+
+namespace sectile {
+namespace {
+
+Solid ball(const Vec3& centre, double radius, std::uint32_t segments, std::uint32_t rings) {
+  return Solid::from_mesh(sphere_mesh(centre, radius, segments, rings));
+}
+
+Solid many_faces() {
+  return ball({0, 0, 0}, 1, 100, 101);  // 20,000 triangles
+}
+
+std::set<const Block*> blocks(const Solid& solid) {
+  std::set<const Block*> found;
+  for (const Slot& slot : solid.data()->slots())
+    if (!slot.empty()) found.insert(slot.block.get());
+  return found;
+}
+
+std::size_t shared(const Solid& a, const Solid& b) {
+  const std::set<const Block*> mine = blocks(a), others = blocks(b);
+  return static_cast<std::size_t>(std::count_if(
+      mine.begin(), mine.end(), [&](const Block* block) { return others.contains(block); }));
+}
+
+// Less than half of the slots are empty, and one block may have few faces.
+std::size_t most_blocks(const Solid& solid) {
+  return 2 * (solid.counts().faces / few_faces + 1);
+}
+
+void expect_legal(const Solid& solid) {
+  EXPECT_TRUE(broken_links(solid.data()->brep(), false).empty());
+  const std::vector<Violation> found = validate(solid);
+  EXPECT_TRUE(found.empty()) << found.front().what;
+}
+
+TEST(Blocks, ALargeBoundaryIsCutAndJoinedAgain) {
+  const Solid solid = many_faces();
+  EXPECT_GT(blocks(solid).size(), 50u);
+  const SolidCounts counts = solid.counts();
+  EXPECT_EQ(counts.faces, 20000u);
+  EXPECT_EQ(counts.edges, 30000u);
+  EXPECT_EQ(counts.vertices, 10002u);
+  EXPECT_EQ(counts.shells, 1u);
+  EXPECT_EQ(counts.genus, 0);
+  expect_legal(solid);
+}
+
+TEST(Blocks, EdgesBetweenBlocksKnowEachOther) {
+  const Solid solid = many_faces();
+  const SolidData& data = *solid.data();
+  std::size_t borders = 0;
+  for (std::uint32_t s = 0; s < data.slots().size(); ++s)
+    for (std::uint32_t e = 0; e < data.slot(s).block->border_count; ++e) {
+      const HalfEdgeId h(2 * e);
+      const auto there = data.across(s, h);
+      ASSERT_NE(there.slot, s);
+      const auto back = data.across(there.slot, there.local);
+      EXPECT_EQ(back.slot, s);
+      EXPECT_EQ(back.local, h);
+      const auto position = [&](std::uint32_t slot, VertexId v) {
+        const Block& block = *data.slot(slot).block;
+        return block.geometry.position(block.brep.point_of(v));
+      };
+      EXPECT_EQ(position(s, data.slot(s).from(h)),
+                position(there.slot, data.slot(there.slot).to(there.local)));
+      ++borders;
+    }
+  EXPECT_GT(borders, 1000u);
+}
+
+TEST(Blocks, AResultSharesWhatAToolDoesNotTouch) {
+  const Solid body = many_faces(), tool = ball({1, 0, 0}, 0.1, 12, 9);
+  for (const Operation operation : {Operation::unite, Operation::subtract}) {
+    const Solid result = boolean(body, tool, operation);
+    EXPECT_GT(10 * shared(result, body), 9 * blocks(body).size());
+    expect_legal(result);
+  }
+}
+
+TEST(Blocks, WhatIsTakenAwayIsSharedTurnedInsideOut) {
+  const Solid body = ball({0, 0, 0}, 2, 100, 101), cavity = many_faces();
+  const Solid hollow = boolean(body, cavity, Operation::subtract);
+  EXPECT_EQ(shared(hollow, cavity), blocks(cavity).size());
+  EXPECT_EQ(shared(hollow, body), blocks(body).size());
+  EXPECT_EQ(hollow.counts().shells, 2u);
+  EXPECT_NEAR(hollow.volume(), body.volume() - cavity.volume(), 1e-12);
+  expect_legal(hollow);
+  // And once more: what is filled again is the body.
+  EXPECT_EQ(boolean(hollow, cavity, Operation::unite), body);
+  EXPECT_EQ(boolean(body, hollow, Operation::subtract), cavity);
+}
+
+TEST(Blocks, ACutThroughATurnedShell) {
+  const Solid hollow =
+      boolean(ball({0, 0, 0}, 2, 60, 61), ball({0, 0, 0}, 1, 60, 61), Operation::subtract);
+  const auto [above, below] = split(hollow, {1, 2, 3, 0.1});
+  expect_legal(above);
+  expect_legal(below);
+  EXPECT_NEAR(above.volume() + below.volume(), hollow.volume(), 1e-9);
+  EXPECT_EQ(boolean(above, below, Operation::unite), hollow);
+}
+
+TEST(Blocks, ASmallPieceOfALargeSolidIsSmall) {
+  const Solid piece = boolean(many_faces(), ball({1, 0, 0}, 0.1, 12, 9), Operation::intersect);
+  EXPECT_LE(piece.data()->slots().size(), most_blocks(piece));
+  expect_legal(piece);
+}
+
+TEST(Blocks, LongChainsDoNotLeaveManySmallBlocks) {
+  Solid row = block({0, 0, 0}, {1, 1, 1});
+  for (int i = 1; i < 300; ++i)
+    row = boolean(row, block({2.0 * i, 0, 0}, {2.0 * i + 1, 1, 1}), Operation::unite);
+  EXPECT_EQ(row.counts().shells, 300u);
+  EXPECT_LE(row.data()->slots().size(), most_blocks(row));
+  Solid body = many_faces();
+  const std::size_t before = body.data()->slots().size();
+  for (int i = 0; i < 60; ++i) {
+    const double angle = 0.1 * i;
+    body =
+        boolean(body, ball({std::cos(angle), std::sin(angle), 0}, 0.07, 8, 7), Operation::subtract);
+  }
+  EXPECT_LT(body.data()->slots().size(), 2 * before);
+  expect_legal(body);
+}
+
+TEST(Blocks, ASolidMinusItselfIsEmpty) {
+  const Solid solid = many_faces();
+  EXPECT_TRUE(boolean(solid, solid, Operation::subtract).is_empty());
+  EXPECT_EQ(boolean(solid, solid, Operation::unite), solid);
+}
+
+TEST(Blocks, ATracedOperationNamesEntitiesOfTheWholeSolid) {
+  struct Watch : Observer {
+    std::size_t events = 0;
+    void phase_done(Phase, const std::vector<TraceEvent>& some) override { events += some.size(); }
+  } watch;
+  BooleanOptions options;
+  options.observer = &watch;
+  const Solid body = many_faces(), tool = ball({1, 0, 0}, 0.1, 12, 9);
+  EXPECT_EQ(boolean(body, tool, Operation::subtract, options),
+            boolean(body, tool, Operation::subtract));
+  EXPECT_GT(watch.events, 100u);
+}
+
+}  // namespace
+}  // namespace sectile

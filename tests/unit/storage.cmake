@@ -1,0 +1,1 @@
+sectile_test(blocks_test SOURCES blocks_test.cpp)
