@@ -59,7 +59,9 @@ class Spreading {
     if (set(loaded_[f.value()], label)) stack_.push_back({loaded_slot, f.value()});
   }
   void set_rest(std::uint32_t s, FaceId local, std::uint8_t label) {
-    const std::uint32_t member = rest_.member(s, local);
+    set_member(s, rest_.member(s, local), label);
+  }
+  void set_member(std::uint32_t s, std::uint32_t member, std::uint8_t label) {
     if (set(rest_.of_member(s, member), label)) stack_.push_back({s, member});
   }
 
@@ -129,12 +131,16 @@ class Spreading {
   // All faces of a piece have its label; it ends at the block's borders.
   void spread_piece(std::uint32_t s, std::uint32_t piece) {
     const std::uint8_t label = rest_.of_member(s, piece);
-    const Block& block = *slot(s).block;
-    const Pieces& pieces = block.pieces();
-    for (std::uint32_t e = 0; e < block.border_count; ++e) {
-      const HalfEdgeId h = Brep::half_edge(EdgeId(e));
-      if (pieces.count == 1 || pieces.of_face[block.brep.face_of(h).value()] == piece)
-        spread_across(s, h, label);
+    if (!slot(s).links) return;
+    const BorderLinks& links = *slot(s).links;
+    for (const BorderLinks::Neighbour& n : links.neighbours()) {
+      if (n.own_piece != piece) continue;
+      const std::uint32_t t = s + static_cast<std::uint32_t>(n.slots);
+      if (!rest_.is_touched(t))
+        set_member(t, n.piece, label);
+      else
+        for (const std::uint32_t border : links.borders(n))
+          spread_across(s, Brep::half_edge(EdgeId(border)), label);
     }
   }
 

@@ -190,7 +190,9 @@ class Assembly {
       const SourceHalfEdge other = mate(e, seam);
       if (!is_shared(other)) return;
       const HalfEdgeId id = add_edge(e);
-      glued_.outside.push_back({first_slot_[other.solid] + other.slot, other.h.value() / 2});
+      const Block& beyond = *glued_.slots[first_slot_[other.solid] + other.slot].block;
+      glued_.outside.push_back({first_slot_[other.solid] + other.slot, other.h.value() / 2,
+                                beyond.pieces().of_face[beyond.brep.face_of(other.h).value()]});
       keep_edge_plane(from, h, Brep::edge_of(id));
     });
   }

@@ -90,10 +90,9 @@ class Cutter {
   CutPart run() {
     for_each_group([&](std::size_t g) { number_edges(g); });
     for_each_group([&](std::size_t g) { fill(g); });
+    for_each_group([&](std::size_t g) { add_links(g); });
     for (std::size_t g = 0; g < blocks_.size(); ++g) {
-      auto links =
-          links_[g].empty() ? nullptr : std::make_shared<const BorderLinks>(std::move(links_[g]));
-      made_.slots.push_back({std::move(blocks_[g]), std::move(links), false});
+      made_.slots.push_back({std::move(blocks_[g]), std::move(links_[g]), false});
     }
     return std::move(made_);
   }
@@ -145,7 +144,6 @@ class Cutter {
     add_faces(g, block.brep, geometry);
     add_vertices(g, block, geometry);
     add_edge_planes(g, block.brep, geometry);
-    add_links(g);
     block.bounds();
     block.pieces();
   }
@@ -200,28 +198,36 @@ class Cutter {
     });
   }
 
+  BorderEdge border_edge(std::size_t g, HalfEdgeId h) const {
+    const HalfEdgeId here = local_[h.value()];
+    const FaceId face = blocks_[g]->brep.face_of(here);
+    return {part_.places(g), here.value() / 2, blocks_[g]->pieces().of_face[face.value()]};
+  }
+
   void add_links(std::size_t g) {
-    BorderLinks& links = links_[g];
-    links.resize(blocks_[g]->border_count);
+    std::vector<BorderLink> links(blocks_[g]->border_count);
     for_each_half_edge(g, [&](HalfEdgeId h) {
       if (!leaves(h, g)) return;
-      const BorderEdge mine{part_.places(g), local_[h.value()].value() / 2};
+      const BorderEdge mine = border_edge(g, h);
       BorderEdge other;
       if (const std::uint32_t beyond = groups_.of(brep_.face_of(Brep::twin(h))); beyond != none) {
-        other = {part_.places(beyond), local_[Brep::twin(h).value()].value() / 2};
+        other = border_edge(beyond, Brep::twin(h));
       } else {
         other = part_.outside[Brep::edge_of(h).value()];
         made_.outside[Brep::edge_of(h).value()] = mine;
       }
-      links[mine.border] = {static_cast<std::int32_t>(other.slot - mine.slot), other.border};
+      links[mine.border] = {static_cast<std::int32_t>(other.slot - mine.slot), other.border,
+                            other.piece};
     });
+    if (!links.empty())
+      links_[g] = std::make_shared<const BorderLinks>(*blocks_[g], std::move(links));
   }
 
   const PartToCut& part_;
   const Brep& brep_;
   Groups groups_;
   std::vector<std::shared_ptr<Block>> blocks_;
-  std::vector<BorderLinks> links_;
+  std::vector<std::shared_ptr<const BorderLinks>> links_;
   std::vector<HalfEdgeId> local_;  // per half-edge: in its face's block
   CutPart made_;
 };

@@ -16,9 +16,9 @@ inline constexpr std::size_t most_faces_of_a_block = 4, faces_of_a_block = 3, fe
 inline constexpr std::size_t most_faces_of_a_block = 256, faces_of_a_block = 128, few_faces = 32;
 #endif
 
-/// A border edge of the block in a slot.
+/// A border edge of the block in a slot, and the piece of the block to which it belongs.
 struct BorderEdge {
-  std::uint32_t slot, border;
+  std::uint32_t slot = 0, border = 0, piece = 0;
 };
 
 /// The slots that new blocks take: those that are free, then new ones behind the last.

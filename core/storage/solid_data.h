@@ -12,17 +12,10 @@
 #include <vector>
 
 #include "storage/block.h"
+#include "storage/border_links.h"
 #include "storage/once_alone.h"
 
 namespace sectile {
-
-/// The same edge in a neighbouring block: so many slots further on, the border edge of that number.
-/// It stays true when all slots of a solid are appended to those of another.
-struct BorderLink {
-  std::int32_t slots = 0;
-  std::uint32_t border = 0;
-};
-using BorderLinks = std::vector<BorderLink>;
 
 struct Slot {
   std::shared_ptr<const Block> block;  ///< none if the slot is empty
@@ -102,7 +95,7 @@ class SolidData {
   Neighbour across(std::uint32_t slot, HalfEdgeId local) const {
     const Slot& s = slots_[slot];
     if (!s.block->is_border(local)) return {slot, Brep::twin(local)};
-    const BorderLink& link = (*s.links)[local.value() / 2];
+    const BorderLink& link = s.links->all()[local.value() / 2];
     return {slot + static_cast<std::uint32_t>(link.slots), HalfEdgeId(2 * link.border)};
   }
   std::size_t face_count() const;

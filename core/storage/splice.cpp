@@ -8,15 +8,16 @@ namespace {
 // The border edges of shared blocks lead to the new blocks from now on.
 void link_to_part(std::vector<Slot>& slots, const std::vector<BorderEdge>& outside,
                   const std::vector<BorderEdge>& made) {
-  std::vector<std::shared_ptr<BorderLinks>> fresh(slots.size());
+  std::vector<std::vector<BorderLink>> fresh(slots.size());
   for (std::size_t e = 0; e < outside.size(); ++e) {
-    const auto [slot, border] = outside[e];
-    if (!fresh[slot]) {
-      fresh[slot] = std::make_shared<BorderLinks>(*slots[slot].links);
-      slots[slot].links = fresh[slot];
-    }
-    (*fresh[slot])[border] = {static_cast<std::int32_t>(made[e].slot - slot), made[e].border};
+    const std::uint32_t slot = outside[e].slot;
+    if (fresh[slot].empty()) fresh[slot] = slots[slot].links->all();
+    fresh[slot][outside[e].border] = {static_cast<std::int32_t>(made[e].slot - slot),
+                                      made[e].border, made[e].piece};
   }
+  for (std::size_t s = 0; s < fresh.size(); ++s)
+    if (!fresh[s].empty())
+      slots[s].links = std::make_shared<BorderLinks>(*slots[s].block, std::move(fresh[s]));
 }
 
 void add_part(std::vector<Slot>& slots, const NewPart& part) {
@@ -50,12 +51,12 @@ void compact(std::vector<Slot>& slots) {
     if (slots[s].empty()) continue;
     Slot& slot = dense.emplace_back(std::move(slots[s]));
     if (!slot.links) continue;
-    auto links = std::make_shared<BorderLinks>(*slot.links);
-    for (BorderLink& link : *links) {
+    std::vector<BorderLink> links = slot.links->all();
+    for (BorderLink& link : links) {
       const std::uint32_t other = s + static_cast<std::uint32_t>(link.slots);
       link.slots -= static_cast<std::int32_t>(gaps_before[other] - gaps_before[s]);
     }
-    slot.links = std::move(links);
+    slot.links = std::make_shared<BorderLinks>(*slot.block, std::move(links));
   }
   slots = std::move(dense);
 }
