@@ -7,62 +7,20 @@
 namespace sectile {
 namespace {
 
-std::string_view word(Entity::Kind kind) {
-  switch (kind) {
-    case Entity::Kind::vertex:
-      return "vertex";
-    case Entity::Kind::edge:
-      return "edge";
-    case Entity::Kind::face:
-      return "face";
-    case Entity::Kind::nothing:
-      break;
-  }
-  return "nothing";
-}
-
-std::string kinds(const Entity (&on)[2]) {
-  return std::string(word(on[0].kind())) + " on " + std::string(word(on[1].kind()));
-}
-
 void send(const Workspace& w, Phase phase, const std::vector<TraceEvent>& events) {
   w.options.observer->phase_done(phase, events);
 }
 
-// An event about one entity of each solid, at one place or between two.
-TraceEvent event_at(const Workspace& w, const char* kind, const Entity (&on)[2],
-                    std::vector<std::uint32_t> places) {
-  TraceEvent event;
-  event.kind = kind;
-  event.a = name_of(w.patch[0], on[0]);
-  event.b = name_of(w.patch[1], on[1]);
-  for (const std::uint32_t place : places)
-    event.points.push_back(w.geometry.position(w.point(place)));
-  event.facts.push_back({"kind", kinds(on)});
-  event.places = std::move(places);
-  return event;
+std::array<TracePlace, 2> ends_of(const Workspace& w, const std::uint32_t (&place)[2]) {
+  return {place_at(w, place[0]), place_at(w, place[1])};
 }
 
-TraceEvent event_along(const Workspace& w, const char* kind, const Segment& s) {
-  TraceEvent event;
-  event.kind = kind;
-  for (const std::uint32_t place : s.place) {
-    event.points.push_back(w.geometry.position(w.point(place)));
-    event.places.push_back(place);
-  }
-  return event;
-}
-
-void add_name(std::string& names, const std::string& name) {
-  if (!names.empty()) names += ' ';
-  names += name;
-}
-
-TraceEvent neighborhood(const Workspace& w, const Segment& s, Operation operation) {
-  TraceEvent event = event_along(w, "neighborhood", s);
+NeighborhoodEvent neighborhood(const Workspace& w, const Segment& s, Operation operation) {
+  NeighborhoodEvent event;
+  event.ends = ends_of(w, s.place);
   for (std::uint32_t i = 0; i < s.carrier_count; ++i) {
     const Carrier& c = w.carriers[s.first_carrier + i];
-    add_name(c.solid == 0 ? event.a : event.b, name_of(w.patch[c.solid], c.entity));
+    (c.solid == 0 ? event.a : event.b).push_back(traced(w.patch[c.solid], c.entity));
   }
   event.half_planes = trace_half_planes(w, s, operation);
   return event;
@@ -85,11 +43,14 @@ bool is_vertex_vertex(const Workspace& w, const Segment& s) {
 void report_reduction(const Workspace& w) {
   std::vector<TraceEvent> events;
   for (const Contact& c : w.contacts) {
-    TraceEvent& event = events.emplace_back(event_at(w, "contact", c.on, {c.place}));
+    ContactEvent event{
+        traced(w.patch[0], c.on[0]), traced(w.patch[1], c.on[1]), place_at(w, c.place), {}};
     for (int s = 0; s < 2; ++s) add_sectors(w, s, c.on[s], event.sectors);
+    events.emplace_back(std::move(event));
   }
   for (const SegmentRecord& r : w.records)
-    events.push_back(event_at(w, "segment", r.on, {r.place[0], r.place[1]}));
+    events.emplace_back(SegmentEvent{traced(w.patch[0], r.on[0]), traced(w.patch[1], r.on[1]),
+                                     ends_of(w, r.place)});
   send(w, Phase::reduction, events);
 }
 
@@ -98,7 +59,7 @@ void report_neighborhoods(const Workspace& w, Operation operation) {
     std::vector<TraceEvent> events;
     for (const Segment& s : w.segments)
       if (is_vertex_vertex(w, s) == (phase == Phase::vertex_vertex))
-        events.push_back(neighborhood(w, s, operation));
+        events.emplace_back(neighborhood(w, s, operation));
     send(w, phase, events);
   }
 }
@@ -109,11 +70,8 @@ void report_joining(const Workspace& w) {
     for (std::uint32_t i = 0; i < s.carrier_count; ++i) {
       const Carrier& c = w.carriers[s.first_carrier + i];
       if (!c.cut) continue;
-      TraceEvent& event = events.emplace_back(event_along(w, "cut", s));
-      const Patch& patch = w.patch[c.solid];
-      (c.solid == 0 ? event.a : event.b) = name_of(patch, c.entity);
-      event.facts = {{"forward side", std::to_string(c.forward.value())},
-                     {"backward side", std::to_string(c.backward.value())}};
+      events.emplace_back(CutEvent{c.solid, traced(w.patch[c.solid], c.entity), ends_of(w, s.place),
+                                   c.forward.value(), c.backward.value()});
     }
   send(w, Phase::joining, events);
 }
@@ -135,15 +93,12 @@ void report_components(const Workspace& w, const FaceLabels& kept_faces, Operati
       }
     for (const Class c : {Class::in, Class::out}) {
       const bool is_kept = kept(operation, s, c);
-      TraceEvent& event = events.emplace_back();
-      event.kind = "part";
-      const char* name =
-          s == 0 ? (c == Class::out ? "AoutB" : "AinB") : (c == Class::out ? "BoutA" : "BinA");
-      event.facts = {{"part", name},
-                     {"becomes", !is_kept                 ? "dropped"
-                                 : reversed(operation, s) ? "kept, turned inside out"
-                                                          : "kept"},
-                     {"faces", std::to_string(is_kept ? stays : all - stays)}};
+      const PartEvent::Fate fate = !is_kept                 ? PartEvent::Fate::dropped
+                                   : reversed(operation, s) ? PartEvent::Fate::turned
+                                                            : PartEvent::Fate::kept;
+      events.emplace_back(PartEvent{static_cast<std::uint8_t>(s),
+                                    c == Class::in ? TraceClass::in : TraceClass::out, fate,
+                                    is_kept ? stays : all - stays});
     }
   }
   send(w, Phase::components, events);
@@ -155,28 +110,19 @@ void report_gluing(const Workspace& w, const std::vector<WedgePair>& wedges) {
   auto segment = w.segments.begin();
   for (const WedgePair& pair : wedges) {
     while (pair.first >= segment->first_half_plane + segment->half_plane_count) ++segment;
-    TraceEvent& event = events.emplace_back(event_along(w, "wedge", *segment));
-    std::string sides;
-    for (const std::uint32_t i : {pair.first, pair.second}) {
-      const HalfPlane& h = w.half_planes[i];
-      const std::string name = name_of(w.patch[h.solid], h.face);
-      add_name(h.solid == 0 ? event.a : event.b, name);
-      sides += (sides.empty() ? "" : " and ") + std::string(h.solid == 0 ? "A " : "B ") + name;
-    }
+    const auto side = [&](std::uint32_t half_plane) {
+      const HalfPlane& h = w.half_planes[half_plane];
+      return WedgeEvent::Side{h.solid, traced(w.patch[h.solid], h.face)};
+    };
     const bool glued = w.carriers[w.half_planes[pair.first].carrier].cut;
-    event.facts = {{"between", sides}, {"glued", glued ? "yes" : "no, never apart"}};
+    events.emplace_back(
+        WedgeEvent{ends_of(w, segment->place), {side(pair.first), side(pair.second)}, glued});
   }
   send(w, Phase::gluing, events);
 }
 
 void report_cleanup(const Workspace& w, const Solid& result) {
-  const SolidCounts c = result.counts();
-  TraceEvent event;
-  event.kind = "result";
-  event.facts = {{"vertices", std::to_string(c.vertices)}, {"edges", std::to_string(c.edges)},
-                 {"faces", std::to_string(c.faces)},       {"loops", std::to_string(c.loops)},
-                 {"shells", std::to_string(c.shells)},     {"genus", std::to_string(c.genus)}};
-  send(w, Phase::cleanup, {event});
+  send(w, Phase::cleanup, {ResultEvent{result.counts()}});
 }
 
 }  // namespace sectile

@@ -42,10 +42,10 @@ Entity in_operand(const Patch& patch, Entity entity) {
   return entity;
 }
 
-std::string name_of(const Patch& patch, Entity entity) {
-  constexpr char letters[] = {'v', 'e', 'f', '-'};
+TraceEntity traced(const Patch& patch, Entity entity) {
   const Entity known = in_operand(patch, entity);
-  return letters[static_cast<int>(known.kind())] + std::to_string(known.index());
+  // The kinds stand in one order.
+  return {static_cast<TraceEntity::Kind>(known.kind()), known.index()};
 }
 
 }  // namespace sectile

@@ -1,10 +1,9 @@
-// How the report names entities: with the numbers that they have in the operand. What the operation
+// How the report names entities, with the numbers that they have in the operand. What the operation
 // made is counted on from there.
 #pragma once
 
-#include <string>
-
 #include "boolean/workspace.h"
+#include "sectile/trace.h"
 
 namespace sectile {
 
@@ -13,7 +12,7 @@ EdgeId in_operand(const Patch& patch, EdgeId e);
 VertexId in_operand(const Patch& patch, VertexId v);
 Entity in_operand(const Patch& patch, Entity entity);
 
-/// As it prints: v12, e3, f7.
-std::string name_of(const Patch& patch, Entity entity);
+/// The same for those who look on. The entity is not nothing.
+TraceEntity traced(const Patch& patch, Entity entity);
 
 }  // namespace sectile

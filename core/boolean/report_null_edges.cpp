@@ -37,7 +37,7 @@ class NullEdgeReport {
 
   std::vector<TraceEvent> events() const {
     std::vector<TraceEvent> events;
-    for (const auto& [solid, edge] : w_.null_edges) events.push_back(event(solid, edge));
+    for (const auto& [solid, edge] : w_.null_edges) events.emplace_back(event(solid, edge));
     return events;
   }
 
@@ -155,25 +155,24 @@ class NullEdgeReport {
     }
   }
 
-  TraceEvent event(std::uint8_t s, EdgeId edge) const {
+  NullEdgeEvent event(std::uint8_t s, EdgeId edge) const {
     const Patch& patch = w_.patch[s];
     const HalfEdgeId h = Brep::half_edge(edge);
     const VertexId from = patch.brep.from(h), to = patch.brep.to(h);
-    TraceEvent event;
-    event.kind = "null edge";
-    (s == 0 ? event.a : event.b) = name_of(patch, edge);
-    event.points = {w_.geometry.position(patch.brep.point_of(from))};
-    event.facts = {{"from", name_of(patch, from)}, {"to", name_of(patch, to)}};
+    NullEdgeEvent event;
+    event.solid = s;
+    event.edge = traced(patch, edge);
+    event.from = traced(patch, from);
+    event.to = traced(patch, to);
+    event.place.point = w_.geometry.position(patch.brep.point_of(from));
     event.pulls = {pulls_[s][from.value()].moved, pulls_[s][to.value()].moved};
     const std::uint32_t site = site_of_[s][edge.value()];
     if (site == no_site) {
       if (event.pulls[0] == event.pulls[1])
         event.pulls = {direction_of(pulls_[s][from.value()]), direction_of(pulls_[s][to.value()])};
-      event.facts.push_back({"links", "corners that touch each other"});
     } else {
-      event.places = {w_.sites[site].place};
-      event.facts.push_back({"at", name_of(patch, w_.sites[site].entity)});
-      event.facts.push_back({"cuts there", std::to_string(w_.sites[site].end_count)});
+      event.place.number = w_.sites[site].place;
+      event.site = {traced(patch, w_.sites[site].entity), w_.sites[site].end_count};
     }
     return event;
   }

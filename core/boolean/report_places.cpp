@@ -96,18 +96,18 @@ class SectorCollector {
   std::vector<TraceSector>& sectors_;
 };
 
-std::string_view word(Class c) {
+TraceClass traced_class(Class c) {
   switch (c) {
     case Class::in:
-      return "in";
+      return TraceClass::in;
     case Class::out:
-      return "out";
+      return TraceClass::out;
     case Class::on_plus:
-      return "on+";
+      return TraceClass::on_plus;
     case Class::on_minus:
       break;
   }
-  return "on-";
+  return TraceClass::on_minus;
 }
 
 bool is_on(const HalfPlane& h) {
@@ -129,6 +129,10 @@ int coplanar_with(std::span<const HalfPlane> planes, std::size_t i) {
 
 }  // namespace
 
+TracePlace place_at(const Workspace& w, std::uint32_t place) {
+  return {place, w.geometry.position(w.point(place))};
+}
+
 void add_sectors(const Workspace& w, int s, Entity entity, std::vector<TraceSector>& sectors) {
   SectorCollector(w, s, sectors).add(in_operand(w.patch[s], entity));
 }
@@ -148,8 +152,8 @@ std::vector<TraceHalfPlane> trace_half_planes(const Workspace& w, const Segment&
   const Vec3 along = unit_direction(w, segment);
   const std::span<const HalfPlane> planes =
       std::span(w.half_planes).subspan(segment.first_half_plane, segment.half_plane_count);
-  std::vector<TraceHalfPlane> traced;
-  traced.reserve(planes.size());
+  std::vector<TraceHalfPlane> found;
+  found.reserve(planes.size());
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const HalfPlane& h = planes[i];
     const Carrier& carrier = w.carriers[h.carrier];
@@ -157,17 +161,17 @@ std::vector<TraceHalfPlane> trace_half_planes(const Workspace& w, const Segment&
     t.solid = h.solid;
     t.forward = h.forward;
     t.face = in_operand(w.patch[h.solid], h.face).value();
-    t.carrier = name_of(w.patch[h.solid], carrier.entity);
+    t.carrier = traced(w.patch[h.solid], carrier.entity);
     t.normal = unit_normal(w.geometry, h.plane);
     t.direction = unit(cross(t.normal, h.forward ? along : opposite(along)));
-    t.before = word(h.cls);
-    t.after = word(reclassified(operation, h.solid, h.cls));
+    t.before = traced_class(h.cls);
+    t.after = traced_class(reclassified(operation, h.solid, h.cls));
     t.coplanar = coplanar_with(planes, i);
     t.kept = kept(operation, h.solid, h.cls);
     t.cut = carrier.cut;
-    traced.push_back(std::move(t));
+    found.push_back(t);
   }
-  return traced;
+  return found;
 }
 
 }  // namespace sectile

@@ -11,11 +11,11 @@ namespace {
 using HalfPlane = TraceHalfPlane;
 
 bool is_on(const HalfPlane& h) {
-  return h.before == "on+" || h.before == "on-";
+  return is_on(h.before);
 }
 
 std::string upper(const HalfPlane& h) {
-  return is_on(h) ? "ON" : h.before == "in" ? "IN" : "OUT";
+  return is_on(h) ? "ON" : h.before == TraceClass::in ? "IN" : "OUT";
 }
 
 // What one solid has at the segment: one face or edge, or more.
@@ -24,8 +24,8 @@ struct Side {
   bool is_pair() const {
     return half_planes.size() == 2 && half_planes[0]->carrier == half_planes[1]->carrier;
   }
-  bool is_edge() const { return is_pair() && half_planes[0]->carrier[0] == 'e'; }
-  bool is_face() const { return is_pair() && half_planes[0]->carrier[0] == 'f'; }
+  bool is_edge() const { return is_pair() && half_planes[0]->carrier.is_edge(); }
+  bool is_face() const { return is_pair() && half_planes[0]->carrier.is_face(); }
   const HalfPlane& get(bool forward) const {
     return half_planes[0]->forward == forward ? *half_planes[0] : *half_planes[1];
   }
@@ -41,7 +41,7 @@ constexpr std::array<std::array<int, 3>, 3> table_2 = {{
 }};
 
 int code(const HalfPlane& h) {
-  return is_on(h) ? 0 : h.before == "in" ? 1 : 2;
+  return is_on(h) ? 0 : h.before == TraceClass::in ? 1 : 2;
 }
 
 const char* sign(Operation operation) {
@@ -58,10 +58,10 @@ const char* sign(Operation operation) {
 
 // Table III: the rule holds if the ON sector is reclassified OUT.
 std::string table_3(const HalfPlane& on, Operation operation) {
-  std::string text = on.before == "on+" ? "identical" : "opposite";
+  std::string text = on.before == TraceClass::on_plus ? "identical" : "opposite";
   text += on.solid == 0 ? ", A against B, " : ", B against A, ";
   text += sign(operation);
-  return text + (on.after == "out" ? ": the rule holds" : ": the rule does not hold");
+  return text + (on.after == TraceClass::out ? ": the rule holds" : ": the rule does not hold");
 }
 
 PaperRule edge_in_face(const Side& edge, const Side& face, Operation operation) {
@@ -80,7 +80,7 @@ PaperRule edge_in_face(const Side& edge, const Side& face, Operation operation) 
   if (rule_decides) {
     const HalfPlane& on = is_on(first) ? first : second;
     rule.where += ", Table III (" + table_3(on, operation) + ")";
-    rule.says += "The ON sector counts as " + std::string(on.after) + ". ";
+    rule.says += "The ON sector counts as " + std::string(name_of(on.after)) + ". ";
   }
   if (apart)
     rule.says +=
@@ -121,7 +121,8 @@ PaperRule edge_on_edge(const Side& a, const Side& b) {
             "sectors do not intersect." +
                 what_follows(a, b)};
   if (on.size() == 1) {
-    const bool identical = on[0]->before == "on+", in = other->before == "in";
+    const bool identical = on[0]->before == TraceClass::on_plus,
+               in = other->before == TraceClass::in;
     const char letter = identical ? (in ? 'b' : 'c') : (in ? 'e' : 'd');
     return {std::string("figure 20") + letter,
             std::string("The edges coincide. One pair of sectors is coplanar, with ") +
@@ -139,7 +140,7 @@ PaperRule edge_on_edge(const Side& a, const Side& b) {
 
 }  // namespace
 
-PaperRule paper_rule(const TraceEvent& neighborhood, Operation operation) {
+PaperRule paper_rule(const NeighborhoodEvent& neighborhood, Operation operation) {
   Side side[2];
   for (const HalfPlane& h : neighborhood.half_planes) side[h.solid].half_planes.push_back(&h);
   if (!side[0].is_pair() || !side[1].is_pair())

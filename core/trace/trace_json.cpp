@@ -73,12 +73,12 @@ void write(JsonText& json, const TraceHalfPlane& h) {
   json.begin_object();
   member(json, "solid", letter(h.solid));
   member(json, "face", entity('f', h.face));
-  member(json, "of", h.carrier);
+  member(json, "of", name_of(h.carrier));
   member(json, "forward", h.forward);
   member(json, "direction", h.direction);
   member(json, "normal", h.normal);
-  member(json, "before", h.before);
-  member(json, "after", h.after);
+  member(json, "before", name_of(h.before));
+  member(json, "after", name_of(h.after));
   if (h.coplanar >= 0) member(json, "coplanar_with", h.coplanar);
   member(json, "kept", h.kept);
   member(json, "cut", h.cut);
@@ -109,29 +109,92 @@ void write_list(JsonText& json, std::string_view name, const std::vector<T>& lis
   json.end_array();
 }
 
-std::vector<Fact> all_facts(const TraceEvent& event, Operation operation) {
-  std::vector<Fact> facts = event.facts;
-  if (event.kind == "contact") facts.emplace_back("place", std::to_string(event.places.at(0)));
-  if (event.kind == "neighborhood") {
-    for (const TraceHalfPlane& h : event.half_planes) facts.emplace_back("half-plane", describe(h));
-    const PaperRule rule = paper_rule(event, operation);
+// What an event says beside entities and places, as pairs of words.
+class Facts {
+ public:
+  explicit Facts(Operation operation) : operation_(operation) {}
+
+  std::vector<Fact> operator()(const ContactEvent& e) const {
+    return {{"kind", meeting_of(e.a, e.b)}, {"place", std::to_string(e.place.number)}};
+  }
+  std::vector<Fact> operator()(const SegmentEvent& e) const {
+    return {{"kind", meeting_of(e.a, e.b)}};
+  }
+  std::vector<Fact> operator()(const NeighborhoodEvent& e) const {
+    std::vector<Fact> facts;
+    for (const TraceHalfPlane& h : e.half_planes) facts.emplace_back("half-plane", describe(h));
+    const PaperRule rule = paper_rule(e, operation_);
     facts.emplace_back("rule", rule.where);
     facts.emplace_back("says", rule.says);
+    return facts;
   }
-  return facts;
+  std::vector<Fact> operator()(const NullEdgeEvent& e) const {
+    std::vector<Fact> facts{{"from", name_of(e.from)}, {"to", name_of(e.to)}};
+    if (e.site) {
+      facts.emplace_back("at", name_of(e.site->at));
+      facts.emplace_back("cuts there", std::to_string(e.site->cuts));
+    } else {
+      facts.emplace_back("links", "corners that touch each other");
+    }
+    return facts;
+  }
+  std::vector<Fact> operator()(const CutEvent& e) const {
+    return {{"forward side", std::to_string(e.forward_side)},
+            {"backward side", std::to_string(e.backward_side)}};
+  }
+  std::vector<Fact> operator()(const PartEvent& e) const {
+    return {{"part", part_name(e.solid, e.side)},
+            {"becomes", std::string(name_of(e.fate))},
+            {"faces", std::to_string(e.faces)}};
+  }
+  std::vector<Fact> operator()(const WedgeEvent& e) const {
+    return {{"between", describe(e.between)}, {"glued", e.glued ? "yes" : "no, never apart"}};
+  }
+  std::vector<Fact> operator()(const ResultEvent& e) const {
+    const SolidCounts& c = e.counts;
+    return {{"vertices", std::to_string(c.vertices)}, {"edges", std::to_string(c.edges)},
+            {"faces", std::to_string(c.faces)},       {"loops", std::to_string(c.loops)},
+            {"shells", std::to_string(c.shells)},     {"genus", std::to_string(c.genus)}};
+  }
+
+ private:
+  Operation operation_;
+};
+
+void write_entities(JsonText& json, std::string_view name, const TraceEvent& event, int solid) {
+  std::string names;
+  for (const TraceEntity& entity : entities_of(event, solid))
+    names += (names.empty() ? "" : " ") + name_of(entity);
+  if (!names.empty()) member(json, name, names);
+}
+
+void write_numbers(JsonText& json, std::span<const TracePlace> places) {
+  std::vector<std::uint32_t> numbers;
+  for (const TracePlace& place : places)
+    if (place.number != TracePlace::no_number) numbers.push_back(place.number);
+  write_list(json, "places", numbers);
+}
+
+void write_points(JsonText& json, std::span<const TracePlace> places) {
+  std::vector<Vec3> points;
+  for (const TracePlace& place : places) points.push_back(place.point);
+  write_list(json, "points", points);
 }
 
 void write(JsonText& json, const TraceEvent& event, Operation operation) {
   json.begin_object();
-  member(json, "kind", event.kind);
-  if (!event.a.empty()) member(json, "a", event.a);
-  if (!event.b.empty()) member(json, "b", event.b);
-  write_list(json, "points", event.points);
-  write_list(json, "facts", all_facts(event, operation));
-  write_list(json, "places", event.places);
-  write_list(json, "sectors", event.sectors);
-  write_list(json, "half_planes", event.half_planes);
-  write_list(json, "pulls", event.pulls);
+  member(json, "kind", kind_of(event));
+  write_entities(json, "a", event, 0);
+  write_entities(json, "b", event, 1);
+  write_points(json, places_of(event));
+  write_list(json, "facts", std::visit(Facts(operation), event));
+  write_numbers(json, places_of(event));
+  if (const auto* contact = std::get_if<ContactEvent>(&event))
+    write_list(json, "sectors", contact->sectors);
+  if (const auto* neighborhood = std::get_if<NeighborhoodEvent>(&event))
+    write_list(json, "half_planes", neighborhood->half_planes);
+  if (const auto* null_edge = std::get_if<NullEdgeEvent>(&event))
+    write_list(json, "pulls", std::vector<Vec3>(null_edge->pulls.begin(), null_edge->pulls.end()));
   json.end_object();
 }
 

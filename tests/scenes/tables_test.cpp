@@ -58,30 +58,29 @@ Solid thick_face() {
 
 class Neighborhoods : public Observer {
  public:
-  std::vector<TraceEvent> events;
+  std::vector<NeighborhoodEvent> events;
   void phase_done(Phase phase, const std::vector<TraceEvent>& found) override {
     if (phase != Phase::vertex_face && phase != Phase::vertex_vertex) return;
-    for (const TraceEvent& event : found)
-      if (event.kind == "neighborhood") events.push_back(event);
+    for (const TraceEvent& event : found) events.push_back(std::get<NeighborhoodEvent>(event));
   }
 };
 
-bool is_on_line(const TraceEvent& event) {
-  for (const Vec3& p : event.points)
-    if (p.x != 0 || p.y != 0) return false;
+bool is_on_line(const NeighborhoodEvent& event) {
+  for (const TracePlace& end : event.ends)
+    if (end.point.x != 0 || end.point.y != 0) return false;
   return true;
 }
 
 // The one neighborhood along the line of both wedges' edges.
-TraceEvent around_line(const Solid& a, const Solid& b, Operation operation) {
+NeighborhoodEvent around_line(const Solid& a, const Solid& b, Operation operation) {
   Neighborhoods found;
   BooleanOptions options;
   options.validate = true;
   options.observer = &found;
   EXPECT_TRUE(validate(boolean(a, b, operation, options)).empty());
-  std::erase_if(found.events, [](const TraceEvent& event) { return !is_on_line(event); });
+  std::erase_if(found.events, [](const NeighborhoodEvent& event) { return !is_on_line(event); });
   EXPECT_EQ(found.events.size(), 1u);
-  return found.events.empty() ? TraceEvent{} : found.events.front();
+  return found.events.empty() ? NeighborhoodEvent{} : found.events.front();
 }
 
 int direction_of(const TraceHalfPlane& h) {
@@ -93,24 +92,24 @@ bool starts(const TraceHalfPlane& h) {
   return h.direction.x * h.normal.y - h.direction.y * h.normal.x < 0;
 }
 
-std::string class_by_angle(int k, bool starts_material, const Wedge& other) {
-  if (k == other.from) return starts_material ? "on+" : "on-";
-  if (k == other.to) return starts_material ? "on-" : "on+";
-  return other.has(k) ? "in" : "out";
+TraceClass class_by_angle(int k, bool starts_material, const Wedge& other) {
+  if (k == other.from) return starts_material ? TraceClass::on_plus : TraceClass::on_minus;
+  if (k == other.to) return starts_material ? TraceClass::on_minus : TraceClass::on_plus;
+  return other.has(k) ? TraceClass::in : TraceClass::out;
 }
 
 // Table I, corrected.
-std::string reclassified(const std::string& before, int solid, Operation operation) {
-  if (before == "in" || before == "out") return before;
-  if (operation == Operation::unite) return solid == 0 && before == "on+" ? "out" : "in";
-  return solid == 0 && before == "on+" ? "in" : "out";
+TraceClass reclassified(TraceClass before, int solid, Operation operation) {
+  if (!is_on(before)) return before;
+  const bool own = solid == 0 && before == TraceClass::on_plus;
+  return own == (operation == Operation::unite) ? TraceClass::out : TraceClass::in;
 }
 
 // Equation (4).
-bool is_kept(const std::string& after, int solid, Operation operation) {
-  if (operation == Operation::unite) return after == "out";
-  if (operation == Operation::intersect) return after == "in";
-  return after == (solid == 0 ? "out" : "in");
+bool is_kept(TraceClass after, int solid, Operation operation) {
+  if (operation == Operation::unite) return after == TraceClass::out;
+  if (operation == Operation::intersect) return after == TraceClass::in;
+  return after == (solid == 0 ? TraceClass::out : TraceClass::in);
 }
 
 constexpr Operation operations[] = {Operation::unite, Operation::intersect, Operation::subtract};
@@ -121,19 +120,20 @@ bool combined(bool a, bool b, Operation operation) {
                                              : a && !b;
 }
 
-void expect_half_planes(const TraceEvent& event, const Wedge (&wedges)[2], Operation operation) {
+void expect_half_planes(const NeighborhoodEvent& event, const Wedge (&wedges)[2],
+                        Operation operation) {
   std::set<std::pair<int, int>> seen;
   for (const TraceHalfPlane& h : event.half_planes) {
     const int k = direction_of(h);
     seen.insert({h.solid, k});
     const Wedge &own = wedges[h.solid], &other = wedges[1 - h.solid];
     EXPECT_EQ(k, starts(h) ? own.from : own.to);
-    const std::string before = class_by_angle(k, starts(h), other),
-                      after = reclassified(before, h.solid, operation);
+    const TraceClass before = class_by_angle(k, starts(h), other),
+                     after = reclassified(before, h.solid, operation);
     EXPECT_EQ(h.before, before) << "solid " << int(h.solid) << " direction " << k;
     EXPECT_EQ(h.after, after) << "solid " << int(h.solid) << " direction " << k;
     EXPECT_EQ(h.kept, is_kept(after, h.solid, operation));
-    EXPECT_EQ(h.coplanar >= 0, before.starts_with("on"));
+    EXPECT_EQ(h.coplanar >= 0, is_on(before));
   }
   EXPECT_EQ(seen.size(), 4u);
   // What is kept in a direction is one half-plane if the result begins or ends there, else none.
@@ -156,10 +156,8 @@ std::string name(const Wedge& a, const Wedge& b, Operation operation) {
 
 // The row of Table II that the two sectors beside an edge have against a face, seen from the end at
 // which `first` comes first.
-int row_of_table_2(const std::string& first, const std::string& second) {
-  const auto column = [](const std::string& c) {
-    return c.starts_with("on") ? 0 : c == "in" ? 1 : 2;
-  };
+int row_of_table_2(TraceClass first, TraceClass second) {
+  const auto column = [](TraceClass c) { return is_on(c) ? 0 : c == TraceClass::in ? 1 : 2; };
   return 3 * column(first) + column(second) + 1;
 }
 
@@ -172,10 +170,10 @@ TEST(Tables, EveryEdgeOfAInAFaceOfBAndTheOtherWayRound) {
       const Solid a = turned ? thick_face() : thin(wedge), b = turned ? thin(wedge) : thick_face();
       for (const Operation operation : operations) {
         SCOPED_TRACE(name(wedges[0], wedges[1], operation));
-        const TraceEvent event = around_line(a, b, operation);
+        const NeighborhoodEvent event = around_line(a, b, operation);
         expect_half_planes(event, wedges, operation);
-        const std::string first = class_by_angle(wedge.from, true, lower_half),
-                          second = class_by_angle(wedge.to, false, lower_half);
+        const TraceClass first = class_by_angle(wedge.from, true, lower_half),
+                         second = class_by_angle(wedge.to, false, lower_half);
         const int row = row_of_table_2(first, second), back = row_of_table_2(second, first);
         rows.insert(row);
         const PaperRule rule = paper_rule(event, operation);
@@ -213,7 +211,7 @@ TEST(Tables, EveryEdgeOfAOnAnEdgeOfB) {
       for (const Operation operation : operations) {
         const Wedge wedges[2] = {a, wedges_of_b[i]};
         SCOPED_TRACE(name(wedges[0], wedges[1], operation));
-        const TraceEvent event = around_line(solid, thick_wedges[i], operation);
+        const NeighborhoodEvent event = around_line(solid, thick_wedges[i], operation);
         expect_half_planes(event, wedges, operation);
         ++figures[paper_rule(event, operation).where];
         if (HasFailure()) return;

@@ -54,23 +54,25 @@ std::vector<Collector> all_traces() {
   return traces;
 }
 
-std::size_t number(const std::string& entity) {
-  return std::stoul(entity.substr(1));
+template <class Event, class Visit>
+void for_each(const Collector& trace, const Visit& visit) {
+  for (const TraceEvent& event : trace.events)
+    if (const auto* found = std::get_if<Event>(&event)) visit(*found);
 }
 
 // How far a place is from the entity of the solid that is said to be there.
-double distance(const Solid& solid, const std::string& entity, const Vec3& place) {
+double distance(const Solid& solid, const TraceEntity& entity, const Vec3& place) {
   const SolidData& data = *solid.data();
   const auto at = [&](VertexId v) { return data.geometry().position(data.brep().point_of(v)); };
-  if (entity[0] == 'v') return length(minus(place, at(VertexId(number(entity)))));
-  if (entity[0] == 'e') {
-    const HalfEdgeId h = Brep::half_edge(EdgeId(number(entity)));
+  if (entity.is_vertex()) return length(minus(place, at(VertexId(entity.number))));
+  if (entity.is_edge()) {
+    const HalfEdgeId h = Brep::half_edge(EdgeId(entity.number));
     const Vec3 p = at(data.brep().from(h)), along = minus(at(data.brep().to(h)), p);
     const double t = dot(minus(place, p), along) / dot(along, along);
     if (t < 0 || t > 1) return 1;
     return length(cross(minus(place, p), along)) / length(along);
   }
-  const LoopId loop = data.brep().outer_loop.at(number(entity));
+  const LoopId loop = data.brep().outer_loop.at(entity.number);
   const HalfEdgeId h = data.brep().loop_half_edge[loop.value()], next = data.brep().next_of(h);
   const Vec3 p = at(data.brep().from(h)),
              normal = cross(minus(at(data.brep().to(h)), p), minus(at(data.brep().to(next)), p));
@@ -80,16 +82,14 @@ double distance(const Solid& solid, const std::string& entity, const Vec3& place
 void expect_right_names(const Solid& a, const Solid& b, const Collector& trace) {
   std::size_t contacts = 0;
   for (const TraceEvent& event : trace.events) {
-    if (event.kind != "contact" && event.kind != "segment" && event.kind != "cut") continue;
+    if (!std::holds_alternative<ContactEvent>(event) &&
+        !std::holds_alternative<SegmentEvent>(event) && !std::holds_alternative<CutEvent>(event))
+      continue;
     ++contacts;
-    for (const Vec3& p : event.points) {
-      if (!event.a.empty()) {
-        EXPECT_LT(distance(a, event.a, p), 1e-12) << event.a;
-      }
-      if (!event.b.empty()) {
-        EXPECT_LT(distance(b, event.b, p), 1e-12) << event.b;
-      }
-    }
+    for (const TracePlace& place : places_of(event))
+      for (const int s : {0, 1})
+        for (const TraceEntity& entity : entities_of(event, s))
+          EXPECT_LT(distance(s == 0 ? a : b, entity, place.point), 1e-12) << name_of(entity);
   }
   EXPECT_GT(contacts, 0u);
 }
@@ -106,24 +106,23 @@ TEST(Trace, NamesEntitiesOfPartlyLoadedOperands) {
   const Solid ball = sphere(4, 64, 32), cube = block({3, -1, -1}, {6, 1, 1});
   const Collector trace = traced(cube, ball, Operation::subtract);
   expect_right_names(cube, ball, trace);
-  std::size_t largest = 0;
-  for (const TraceEvent& event : trace.events)
-    if (event.kind == "contact") largest = std::max(largest, number(event.b));
+  std::uint32_t largest = 0;
+  for_each<ContactEvent>(
+      trace, [&](const ContactEvent& contact) { largest = std::max(largest, contact.b.number); });
   EXPECT_GT(largest, 500u);
 }
 
 TEST(Trace, NewEntitiesHaveNewNames) {
   const samples::Sample sample = samples::get("fig12");
   const Collector trace = traced(sample.a, sample.b, Operation::unite);
-  std::set<std::string> names;
+  std::set<std::pair<int, std::uint32_t>> names;
   std::size_t count = 0;
-  for (const TraceEvent& event : trace.events) {
-    if (event.kind != "null edge") continue;
+  for_each<NullEdgeEvent>(trace, [&](const NullEdgeEvent& event) {
     ++count;
-    const Solid& solid = event.a.empty() ? sample.b : sample.a;
-    EXPECT_GE(number(event.a + event.b), solid.counts().edges);
-    names.insert(event.a + " " + event.b);
-  }
+    const Solid& solid = event.solid == 1 ? sample.b : sample.a;
+    EXPECT_GE(event.edge.number, solid.counts().edges);
+    names.insert({event.solid, event.edge.number});
+  });
   EXPECT_EQ(count, 12u);
   EXPECT_EQ(names.size(), count);
 }
@@ -139,9 +138,8 @@ TEST(Trace, ReportsEachPhaseOnce) {
 // counter-clockwise; the material of each solid is before its forward ones.
 TEST(Trace, HalfPlanesTurnAroundTheirSegment) {
   for (const Collector& trace : all_traces())
-    for (const TraceEvent& event : trace.events) {
-      if (event.kind != "neighborhood") continue;
-      const Vec3 along = minus(event.points[1], event.points[0]);
+    for_each<NeighborhoodEvent>(trace, [](const NeighborhoodEvent& event) {
+      const Vec3 along = minus(event.ends[1].point, event.ends[0].point);
       const Vec3& start = event.half_planes[0].direction;
       double before = -1e-9;
       for (const TraceHalfPlane& h : event.half_planes) {
@@ -158,34 +156,33 @@ TEST(Trace, HalfPlanesTurnAroundTheirSegment) {
         const TraceHalfPlane& other = event.half_planes.at(static_cast<std::size_t>(h.coplanar));
         EXPECT_NE(other.solid, h.solid);
         EXPECT_NEAR(dot(other.direction, h.direction), 1, 1e-12);
-        EXPECT_NEAR(dot(other.normal, h.normal), h.before == "on+" ? 1 : -1, 1e-12);
+        EXPECT_NEAR(dot(other.normal, h.normal), h.before == TraceClass::on_plus ? 1 : -1, 1e-12);
       }
-    }
+    });
 }
 
 TEST(Trace, OnClassesComeWithAPartner) {
   for (const Collector& trace : all_traces())
-    for (const TraceEvent& event : trace.events)
-      for (const TraceHalfPlane& h : event.half_planes)
-        EXPECT_EQ(h.coplanar >= 0, h.before.starts_with("on"));
+    for_each<NeighborhoodEvent>(trace, [](const NeighborhoodEvent& event) {
+      for (const TraceHalfPlane& h : event.half_planes) EXPECT_EQ(h.coplanar >= 0, is_on(h.before));
+    });
 }
 
 // The neighborhood of a vertex is a cycle of sectors that share its edges.
 TEST(Trace, SectorsMakeCycles) {
   for (const Collector& trace : all_traces())
-    for (const TraceEvent& event : trace.events) {
-      if (event.kind != "contact") continue;
+    for_each<ContactEvent>(trace, [](const ContactEvent& event) {
       for (const std::uint8_t s : {0, 1}) {
         std::vector<TraceSector> cycle;
         for (const TraceSector& sector : event.sectors)
           if (sector.solid == s) cycle.push_back(sector);
-        const std::string& entity = s == 0 ? event.a : event.b;
-        if (entity[0] == 'f') {
+        const TraceEntity& entity = s == 0 ? event.a : event.b;
+        if (entity.is_face()) {
           ASSERT_EQ(cycle.size(), 1u);
-          EXPECT_EQ(cycle[0].face, number(entity));
+          EXPECT_EQ(cycle[0].face, entity.number);
           continue;
         }
-        ASSERT_GE(cycle.size(), entity[0] == 'e' ? 2u : 3u);
+        ASSERT_GE(cycle.size(), entity.is_edge() ? 2u : 3u);
         for (std::size_t i = 0; i < cycle.size(); ++i) {
           const TraceSector& next = cycle[(i + 1) % cycle.size()];
           EXPECT_EQ(cycle[i].to_edge, next.from_edge);
@@ -193,27 +190,25 @@ TEST(Trace, SectorsMakeCycles) {
           EXPECT_NEAR(dot(cycle[i].from, cycle[i].normal), 0, 1e-12);
         }
       }
-    }
+    });
 }
 
 // All vertices of a chain of null edges move to different places.
 TEST(Trace, EndsOfNullEdgesMoveApart) {
   for (const Collector& trace : all_traces())
-    for (const TraceEvent& event : trace.events) {
-      if (event.kind != "null edge") continue;
-      ASSERT_EQ(event.pulls.size(), 2u);
+    for_each<NullEdgeEvent>(trace, [](const NullEdgeEvent& event) {
       for (const Vec3& pull : event.pulls) EXPECT_LE(length(pull), 1 + 1e-12);
-      EXPECT_GT(length(minus(event.pulls[0], event.pulls[1])), 0.1) << event.a << event.b;
-    }
+      EXPECT_GT(length(minus(event.pulls[0], event.pulls[1])), 0.1) << name_of(event.edge);
+    });
 }
 
 TEST(Trace, PartsCountAllFaces) {
   const samples::Sample sample = samples::get("fig11");
   std::vector<std::string> found;
-  for (const TraceEvent& event : traced(sample.a, sample.b, Operation::subtract).events)
-    if (event.kind == "part")
-      found.push_back(std::string(event.fact("part")) + " " + std::string(event.fact("faces")) +
-                      " " + std::string(event.fact("becomes")));
+  for_each<PartEvent>(traced(sample.a, sample.b, Operation::subtract), [&](const PartEvent& part) {
+    found.push_back(part_name(part.solid, part.side) + " " + std::to_string(part.faces) + " " +
+                    std::string(name_of(part.fate)));
+  });
   const std::vector<std::string> expected = {"AinB 3 dropped", "AoutB 6 kept",
                                              "BinA 3 kept, turned inside out", "BoutA 6 dropped"};
   EXPECT_EQ(found, expected);
@@ -223,13 +218,27 @@ TEST(Trace, PartsCountAllFaces) {
 TEST(Trace, ReclassifiesByTableOne) {
   for (const Operation o : {Operation::unite, Operation::intersect, Operation::subtract}) {
     const bool unite = o == Operation::unite;
-    EXPECT_EQ(reclassified(o, 0, "on+"), unite ? "out" : "in");
-    EXPECT_EQ(reclassified(o, 0, "on-"), unite ? "in" : "out");
-    EXPECT_EQ(reclassified(o, 1, "on+"), unite ? "in" : "out");
-    EXPECT_EQ(reclassified(o, 1, "on-"), unite ? "in" : "out");
+    using enum TraceClass;
+    EXPECT_EQ(reclassified(o, 0, on_plus), unite ? out : in);
+    EXPECT_EQ(reclassified(o, 0, on_minus), unite ? in : out);
+    EXPECT_EQ(reclassified(o, 1, on_plus), unite ? in : out);
+    EXPECT_EQ(reclassified(o, 1, on_minus), unite ? in : out);
     for (const int s : {0, 1})
-      for (const char* c : {"in", "out"}) EXPECT_EQ(reclassified(o, s, c), c);
+      for (const TraceClass c : {in, out}) EXPECT_EQ(reclassified(o, s, c), c);
   }
+}
+
+TEST(Trace, EveryKindOfEventHasItsOwnName) {
+  const std::vector<std::pair<TraceEvent, std::string>> kinds = {
+      {ContactEvent{}, "contact"},
+      {SegmentEvent{}, "segment"},
+      {NeighborhoodEvent{}, "neighborhood"},
+      {NullEdgeEvent{}, "null edge"},
+      {CutEvent{}, "cut"},
+      {PartEvent{}, "part"},
+      {WedgeEvent{}, "wedge"},
+      {ResultEvent{}, "result"}};
+  for (const auto& [event, name] : kinds) EXPECT_EQ(kind_of(event), name);
 }
 
 TEST(Trace, IsWrittenAsJson) {

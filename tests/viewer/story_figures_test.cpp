@@ -170,7 +170,7 @@ TEST(StoryFigures, ShowTheSphereOfFigure13) {
   std::size_t count[2] = {0, 0};
   for (const SpherePicture::Arc& arc : step.sphere.arcs) {
     ++count[arc.solid];
-    EXPECT_TRUE(arc.code == "in" || arc.code == "out") << arc.label;
+    EXPECT_TRUE(arc.cls == TraceClass::in || arc.cls == TraceClass::out) << arc.label;
     if (arc.solid == 0) {
       EXPECT_EQ(arc.label, "A f4");
     }
@@ -178,7 +178,7 @@ TEST(StoryFigures, ShowTheSphereOfFigure13) {
   EXPECT_EQ(count[0], 2u);
   EXPECT_EQ(count[1], 5u);
   EXPECT_EQ(std::count_if(step.sphere.marks.begin(), step.sphere.marks.end(),
-                          [](const auto& mark) { return mark.solid == -1 && mark.code == "cut"; }),
+                          [](const auto& mark) { return mark.solid == -1 && mark.cut; }),
             2);
 }
 

@@ -122,7 +122,7 @@ TEST_P(StoryTest, SectorsHaveTheirClasses) {
   for (const Phase phase : {Phase::vertex_face, Phase::vertex_vertex, Phase::joining})
     for (auto [i, last] = story.range(phase); i < last; ++i)
       for (const SpherePicture::Arc& arc : story.step(i).sphere.arcs)
-        EXPECT_FALSE(arc.code.empty()) << story.step(i).title << ": " << arc.label;
+        EXPECT_TRUE(arc.cls.has_value()) << story.step(i).title << ": " << arc.label;
 }
 
 // By an observer of the story: the last class is in or out, and is kept as equation (4) says.
@@ -168,7 +168,10 @@ std::string all_text(const Story& story) {
     text += step.kind + step.title + step.words + step.a + step.b + (step.special ? "!" : "");
     for (const Row& row : step.table)
       for (const std::string& cell : row) text += cell;
-    for (const SpherePicture::Arc& arc : step.sphere.arcs) text += arc.label + arc.code;
+    for (const SpherePicture::Arc& arc : step.sphere.arcs) {
+      text += arc.label;
+      if (arc.cls) text += name_of(*arc.cls);
+    }
   }
   return text;
 }

@@ -1,6 +1,7 @@
 // What a break point names, and which events it stops at.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "sectile/trace.h"
@@ -13,9 +14,9 @@ class BreakPoint {
   bool matches(const TraceEvent& event) const;
 
  private:
-  std::string text_, turned_;  ///< a kind; a kind of contact the other way round
-  std::string entity_[2];      ///< of A, of B; empty: any
-  std::string either_;         ///< an entity of any solid
+  std::string text_, turned_;             ///< a kind; a kind of contact the other way round
+  std::optional<TraceEntity> entity_[2];  ///< of A, of B; nothing: any
+  std::optional<TraceEntity> either_;     ///< an entity of any solid
 };
 
 }  // namespace sectile::viewer

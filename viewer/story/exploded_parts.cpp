@@ -3,8 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "story/wording.h"
-
 namespace sectile::viewer {
 namespace {
 
@@ -37,37 +35,38 @@ bool is_kept(Operation operation, int solid, bool inside) {
 }  // namespace
 
 std::vector<Part> parts_of(const StoryRecord& record, const Theme& t, bool eight_way) {
+  using Class = TraceClass;
   const Directions to(record);
   std::vector<Part> parts;
-  const auto add = [&](int solid, std::string_view code, const Mesh& mesh, const Colour& colour,
+  const auto add = [&](int solid, TraceClass cls, const Mesh& mesh, const Colour& colour,
                        double far, double up) {
-    const std::string_view four_way = reclassified(record.operation, solid, code);
     Part& part = parts.emplace_back();
-    part.name = part_name(solid, code);
-    part.lumped = part_name(solid, four_way);
+    part.solid = solid;
+    part.cls = cls;
+    part.lumped = reclassified(record.operation, solid, cls);
     part.mesh = mesh;
     part.colour = colour;
     part.direction = to(solid, far, up);
-    part.kept = is_kept(record.operation, solid, four_way == "in");
+    part.kept = is_kept(record.operation, solid, part.lumped == TraceClass::in);
     part.turned = part.kept && solid == 1 && record.operation == Operation::subtract;
   };
   if (!eight_way) {
     const std::array<Mesh, 4>& m = record.four_parts();
-    add(0, "in", m[0], t.a_in_b, 0.45, 0);
-    add(0, "out", m[1], t.a_out_b, 1.35, 0);
-    add(1, "in", m[2], t.b_in_a, 0.45, 0);
-    add(1, "out", m[3], t.b_out_a, 1.35, 0);
+    add(0, Class::in, m[0], t.a_in_b, 0.45, 0);
+    add(0, Class::out, m[1], t.a_out_b, 1.35, 0);
+    add(1, Class::in, m[2], t.b_in_a, 0.45, 0);
+    add(1, Class::out, m[3], t.b_out_a, 1.35, 0);
     return parts;
   }
   const std::array<Mesh, 8>& m = record.eight_parts();
-  add(0, "in", m[0], t.a_in_b, 0.45, 0.6);
-  add(0, "out", m[1], t.a_out_b, 1.35, 0);
-  add(0, "on+", m[2], t.a_on_b_plus, 0.45, 0);
-  add(0, "on-", m[3], t.a_on_b_minus, 0.45, -0.6);
-  add(1, "in", m[4], t.b_in_a, 0.45, 0.6);
-  add(1, "out", m[5], t.b_out_a, 1.35, 0);
-  add(1, "on+", m[6], t.b_on_a_plus, 0.45, 0);
-  add(1, "on-", m[7], t.b_on_a_minus, 0.45, -0.6);
+  add(0, Class::in, m[0], t.a_in_b, 0.45, 0.6);
+  add(0, Class::out, m[1], t.a_out_b, 1.35, 0);
+  add(0, Class::on_plus, m[2], t.a_on_b_plus, 0.45, 0);
+  add(0, Class::on_minus, m[3], t.a_on_b_minus, 0.45, -0.6);
+  add(1, Class::in, m[4], t.b_in_a, 0.45, 0.6);
+  add(1, Class::out, m[5], t.b_out_a, 1.35, 0);
+  add(1, Class::on_plus, m[6], t.b_on_a_plus, 0.45, 0);
+  add(1, Class::on_minus, m[7], t.b_on_a_minus, 0.45, -0.6);
   return parts;
 }
 

@@ -9,11 +9,12 @@ namespace sectile::viewer {
 
 /// One part, where it belongs when nothing is exploded.
 struct Part {
-  std::string name;  ///< "AinB", …
+  int solid = 0;
+  TraceClass cls = TraceClass::in;
   Mesh mesh;
   Colour colour;
-  glm::dvec3 direction{0};  ///< where to it moves, for an explosion of one
-  std::string lumped;  ///< the part of the four to which Table I adds it (itself, for those four)
+  glm::dvec3 direction{0};             ///< where to it moves, for an explosion of one
+  TraceClass lumped = TraceClass::in;  ///< the part of the four to which Table I adds it
   bool kept = false, turned = false;
 };
 

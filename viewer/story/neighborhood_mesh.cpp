@@ -8,8 +8,8 @@
 namespace sectile::viewer {
 namespace {
 
-SurfaceMesh& mesh_for(ClassMeshes& meshes, int solid, std::string_view code) {
-  auto& mesh = meshes[{solid, std::string(code)}];
+SurfaceMesh& mesh_for(ClassMeshes& meshes, int solid, std::optional<TraceClass> cls) {
+  auto& mesh = meshes[{solid, cls}];
   if (!mesh) mesh = std::make_shared<SurfaceMesh>();
   return *mesh;
 }
@@ -63,16 +63,17 @@ void add_fan(SurfaceMesh& mesh, const SpherePicture::Arc& arc, const glm::dvec3&
 void add_fans(const StoryRecord& record, std::uint32_t place, double radius, ClassMeshes& meshes) {
   const auto contacts = record.contacts.at(place);
   if (contacts.empty()) return;
-  const glm::dvec3 centre = to_glm(record.events[contacts[0]].points[0]);
+  const glm::dvec3 centre = to_glm(places_of(record.events[contacts[0]])[0].point);
   for (const SpherePicture::Arc& arc : sphere_at(record, place).arcs) {
     const double size = arc.solid == 0 ? radius : 0.85 * radius;
-    add_fan(mesh_for(meshes, arc.solid, arc.code), arc,
+    add_fan(mesh_for(meshes, arc.solid, arc.cls), arc,
             shifted(centre, arc.solid, glm::dvec3(arc.normal), radius), size);
   }
 }
 
-void add_strips(const TraceEvent& neighborhood, double width, double margin, ClassMeshes& meshes) {
-  const glm::dvec3 p = to_glm(neighborhood.points[0]), q = to_glm(neighborhood.points[1]);
+void add_strips(const NeighborhoodEvent& neighborhood, double width, double margin,
+                ClassMeshes& meshes) {
+  const glm::dvec3 p = to_glm(neighborhood.ends[0].point), q = to_glm(neighborhood.ends[1].point);
   const double length = glm::length(q - p);
   if (length <= 2 * margin) return;
   const glm::dvec3 inwards = (q - p) * (margin / length);

@@ -3,20 +3,22 @@
 #pragma once
 
 #include <map>
-#include <string>
+#include <optional>
 #include <utility>
 
 #include "story/story_record.h"
 
 namespace sectile::viewer {
 
-/// By solid and class as traced (in, out, on+, on-, or empty).
-using ClassMeshes = std::map<std::pair<int, std::string>, std::shared_ptr<SurfaceMesh>>;
+/// By solid and class, if known.
+using ClassMeshes =
+    std::map<std::pair<int, std::optional<TraceClass>>, std::shared_ptr<SurfaceMesh>>;
 
 /// The sectors of both solids at a place.
 void add_fans(const StoryRecord& record, std::uint32_t place, double radius, ClassMeshes& meshes);
 /// The half-planes of a neighborhood, from `margin` behind its first end to `margin` before its
 /// last.
-void add_strips(const TraceEvent& neighborhood, double width, double margin, ClassMeshes& meshes);
+void add_strips(const NeighborhoodEvent& neighborhood, double width, double margin,
+                ClassMeshes& meshes);
 
 }  // namespace sectile::viewer

@@ -1,6 +1,5 @@
 // Sections 6.1 and 6.2 in words: what lies around a segment, and what becomes of it.
 #include <algorithm>
-#include <sstream>
 
 #include "story/step_texts.h"
 #include "story/wording.h"
@@ -9,17 +8,16 @@ namespace sectile::viewer {
 namespace {
 
 bool is_on(const TraceHalfPlane& h) {
-  return h.before.starts_with("on");
+  return is_on(h.before);
 }
 
-std::string all_of(int solid, const std::string& names) {
-  std::istringstream in(names);
+std::string all_of(int solid, const std::vector<TraceEntity>& entities) {
   std::string text;
-  for (std::string name; in >> name;) text += (text.empty() ? "" : ", ") + with_kind(name);
+  for (const TraceEntity& entity : entities) text += (text.empty() ? "" : ", ") + with_kind(entity);
   return text + (solid == 0 ? " of A" : " of B");
 }
 
-std::string how_sorted(const StoryRecord& record, const TraceEvent& event, Phase phase) {
+std::string how_sorted(const StoryRecord& record, const NeighborhoodEvent& event, Phase phase) {
   std::string text = phase == Phase::vertex_face
                          ? "This segment starts and ends at vertices inside faces (section 6.1). "
                          : "At an end of this segment vertices of A and B coincide (section 6.2). ";
@@ -29,7 +27,7 @@ std::string how_sorted(const StoryRecord& record, const TraceEvent& event, Phase
   return text + capital(rule.where) + ": " + rule.says;
 }
 
-std::string reclassifications(const StoryRecord& record, const TraceEvent& event) {
+std::string reclassifications(const StoryRecord& record, const NeighborhoodEvent& event) {
   std::string text;
   for (const TraceHalfPlane& h : event.half_planes) {
     if (!is_on(h)) continue;
@@ -41,7 +39,7 @@ std::string reclassifications(const StoryRecord& record, const TraceEvent& event
   return text;
 }
 
-std::string cuts(const TraceEvent& event) {
+std::string cuts(const NeighborhoodEvent& event) {
   std::vector<std::string> names;
   for (const TraceHalfPlane& h : event.half_planes) {
     const std::string name = of_solid(h.solid, h.carrier);
@@ -55,13 +53,13 @@ std::string cuts(const TraceEvent& event) {
   return text + ".";
 }
 
-std::string null_edges(const StoryRecord& record, const TraceEvent& event) {
+std::string null_edges(const StoryRecord& record, const NeighborhoodEvent& event) {
   constexpr std::size_t most = 6;
   std::vector<std::string> names;
-  for (const std::uint32_t place : event.places)
-    for (const std::uint32_t i : record.null_edges.at(place)) {
-      const TraceEvent& edge = record.events[i];
-      names.push_back(edge.a.empty() ? edge.b + " of B" : edge.a + " of A");
+  for (const TracePlace& end : event.ends)
+    for (const std::uint32_t i : record.null_edges.at(end.number)) {
+      const auto& edge = std::get<NullEdgeEvent>(record.events[i]);
+      names.push_back(name_of(edge.edge) + (edge.solid == 0 ? " of A" : " of B"));
     }
   if (names.empty()) return "";
   std::string text = " Null edges that follow at its ends: ";
@@ -78,17 +76,17 @@ std::string rule_of(const StoryRecord& record, const TraceHalfPlane& h) {
 
 }  // namespace
 
-void tell_neighborhood(const StoryRecord& record, const TraceEvent& event, Step& step) {
+void tell_neighborhood(const StoryRecord& record, const NeighborhoodEvent& event, Step& step) {
   step.title = "around " + all_of(0, event.a) + " and " + all_of(1, event.b);
   step.words = how_sorted(record, event, step.phase) + reclassifications(record, event) + " " +
                equation_4(record.operation) + cuts(event) + null_edges(record, event);
   step.columns = {"solid", "face", "side", "class", "reclassified", "rule", "becomes", "cut"};
   for (const TraceHalfPlane& h : event.half_planes)
-    step.table.push_back(
-        {h.solid == 0 ? "A" : "B", "f" + std::to_string(h.face),
-         (h.carrier[0] == 'e' ? h.carrier + " " : "") + (h.forward ? "forward" : "backward"),
-         std::string(h.before), std::string(h.after), rule_of(record, h),
-         h.kept ? "kept" : "dropped", h.cut ? "cut" : ""});
+    step.table.push_back({h.solid == 0 ? "A" : "B", "f" + std::to_string(h.face),
+                          (h.carrier.is_edge() ? name_of(h.carrier) + " " : "") +
+                              (h.forward ? "forward" : "backward"),
+                          std::string(name_of(h.before)), std::string(name_of(h.after)),
+                          rule_of(record, h), h.kept ? "kept" : "dropped", h.cut ? "cut" : ""});
 }
 
 }  // namespace sectile::viewer

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <utility>
 
 namespace sectile::viewer {
 namespace {
@@ -17,12 +18,12 @@ constexpr double same_angle = 1e-6;
 struct Touch {
   glm::dvec3 direction;
   bool after;  // what lies counter-clockwise of the direction
-  std::string_view code;
+  TraceClass cls;
 };
 
 struct Piece {
   double start, end;
-  std::string_view code;
+  std::optional<TraceClass> cls;
   bool ends_at_contact;
 };
 
@@ -47,10 +48,11 @@ class SphereBuilder {
   SpherePicture run() {
     mark_segments();
     for (int s = 0; s < 2; ++s) {
-      std::set<std::string> seen;
+      std::set<std::pair<TraceEntity::Kind, std::uint32_t>> seen;
       for (const std::uint32_t i : record_.contacts.at(place_)) {
-        const TraceEvent& contact = record_.events[i];
-        if (seen.insert(s == 0 ? contact.a : contact.b).second) add_cycle(s, contact);
+        const auto& contact = std::get<ContactEvent>(record_.events[i]);
+        const TraceEntity& entity = s == 0 ? contact.a : contact.b;
+        if (seen.insert({entity.kind, entity.number}).second) add_cycle(s, contact);
       }
     }
     return std::move(picture_);
@@ -61,8 +63,8 @@ class SphereBuilder {
     return std::string(solid == 0 ? "A " : "B ") + letter + std::to_string(number);
   }
 
-  glm::dvec3 direction(const TraceEvent& segment, bool starts_here) const {
-    const glm::dvec3 along = to_glm(segment.points[1]) - to_glm(segment.points[0]);
+  glm::dvec3 direction(const NeighborhoodEvent& segment, bool starts_here) const {
+    const glm::dvec3 along = to_glm(segment.ends[1].point) - to_glm(segment.ends[0].point);
     const double length = glm::length(along);
     if (length == 0) return glm::dvec3(0);
     return along * ((starts_here ? 1 : -1) / length);
@@ -70,13 +72,12 @@ class SphereBuilder {
 
   void mark_segments() {
     for (const std::uint32_t i : record_.neighborhoods.at(place_)) {
-      const TraceEvent& segment = record_.events[i];
-      const bool here = segment.places[0] == place_;
+      const auto& segment = std::get<NeighborhoodEvent>(record_.events[i]);
+      const bool here = segment.ends[0].number == place_;
       const bool cut = std::any_of(segment.half_planes.begin(), segment.half_planes.end(),
                                    [](const TraceHalfPlane& h) { return h.cut; });
       picture_.marks.push_back({-1, direction(segment, here),
-                                "place " + std::to_string(segment.places[here ? 1 : 0]),
-                                cut ? "cut" : ""});
+                                "place " + std::to_string(segment.ends[here ? 1 : 0].number), cut});
     }
   }
 
@@ -84,8 +85,8 @@ class SphereBuilder {
   std::vector<Touch> touches(int solid, std::uint32_t face) const {
     std::vector<Touch> found;
     for (const std::uint32_t i : record_.neighborhoods.at(place_)) {
-      const TraceEvent& segment = record_.events[i];
-      const bool here = segment.places[0] == place_;
+      const auto& segment = std::get<NeighborhoodEvent>(record_.events[i]);
+      const bool here = segment.ends[0].number == place_;
       for (const TraceHalfPlane& h : segment.half_planes)
         if (h.solid == solid && h.face == face)
           found.push_back({direction(segment, here), h.forward == here, h.before});
@@ -93,7 +94,7 @@ class SphereBuilder {
     return found;
   }
 
-  void add_cycle(int solid, const TraceEvent& contact) {
+  void add_cycle(int solid, const ContactEvent& contact) {
     const std::size_t first = picture_.arcs.size();
     ends_at_contact_.clear();
     for (const TraceSector& sector : contact.sectors)
@@ -111,12 +112,12 @@ class SphereBuilder {
     if (width < same_angle && (whole_face || sector.from_edge == sector.to_edge)) width = full_turn;
     if (!whole_face)
       picture_.marks.push_back(
-          {sector.solid, glm::vec3(from), name(sector.solid, 'e', sector.from_edge), ""});
+          {sector.solid, glm::vec3(from), name(sector.solid, 'e', sector.from_edge), false});
     for (const Piece& piece : divide(from, normal, width, touching)) {
       const glm::dvec3 start = rotated(from, normal, piece.start),
                        end = piece.end == width ? to : rotated(from, normal, piece.end);
       picture_.arcs.push_back({sector.solid, glm::vec3(start), glm::vec3(end), glm::vec3(normal),
-                               name(sector.solid, 'f', sector.face), std::string(piece.code)});
+                               name(sector.solid, 'f', sector.face), piece.cls});
       ends_at_contact_.push_back(piece.ends_at_contact);
     }
   }
@@ -143,16 +144,16 @@ class SphereBuilder {
     for (const Stop& stop : stops) {
       Piece& last = pieces.back();
       if (stop.at >= width) {
-        if (!stop.touch->after) last.code = stop.touch->code;
+        if (!stop.touch->after) last.cls = stop.touch->cls;
         last.ends_at_contact = true;
       } else if (stop.at <= same_angle || stop.at - last.start < same_angle) {
-        if (stop.touch->after) last.code = stop.touch->code;
+        if (stop.touch->after) last.cls = stop.touch->cls;
       } else {
-        if (!stop.touch->after) last.code = stop.touch->code;
+        if (!stop.touch->after) last.cls = stop.touch->cls;
         last.end = stop.at;
         last.ends_at_contact = true;
         pieces.push_back({stop.at, width, {}, false});
-        if (stop.touch->after) pieces.back().code = stop.touch->code;
+        if (stop.touch->after) pieces.back().cls = stop.touch->cls;
       }
     }
     return pieces;
@@ -165,9 +166,9 @@ class SphereBuilder {
       return picture_.arcs[first + i % count];
     };
     for (std::size_t i = 0; i < 2 * count; ++i)
-      if (arc(i + 1).code.empty() && !ends_at_contact_[i % count]) arc(i + 1).code = arc(i).code;
+      if (!arc(i + 1).cls && !ends_at_contact_[i % count]) arc(i + 1).cls = arc(i).cls;
     for (std::size_t i = 2 * count; i-- > 0;)
-      if (arc(i).code.empty() && !ends_at_contact_[i % count]) arc(i).code = arc(i + 1).code;
+      if (!arc(i).cls && !ends_at_contact_[i % count]) arc(i).cls = arc(i + 1).cls;
   }
 
   const StoryRecord& record_;

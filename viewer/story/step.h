@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,13 +20,13 @@ struct SpherePicture {
     glm::vec3 from{0}, to{0}, normal{0};  ///< ends on the sphere (equal: a full circle); outward
                                           ///< normal of the face
     std::string label;                    ///< the face, e.g. "A f7"
-    std::string code;                     ///< in, out, on+, on-, or empty if not known
+    std::optional<TraceClass> cls;        ///< if known
   };
   struct Mark {
     int solid = 0;  ///< 0: an edge of A, 1: of B, -1: a contact segment of both leaves there
     glm::vec3 direction{0};
     std::string label;  ///< the edge, e.g. "A e3", or where the segment leads, e.g. "place 4"
-    std::string code;   ///< of a contact segment: "cut", or empty
+    bool cut = false;   ///< of a contact segment
   };
   std::vector<Arc> arcs;
   std::vector<Mark> marks;

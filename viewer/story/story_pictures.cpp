@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <set>
+#include <span>
 
 #include "picture/theme.h"
 #include "story/exploded_parts.h"
@@ -18,7 +19,8 @@ constexpr std::size_t most_labels = 60;
 constexpr std::size_t most_fans = 48;
 
 double length_of(const TraceEvent& segment) {
-  return glm::length(to_glm(segment.points[1]) - to_glm(segment.points[0]));
+  const std::span<const TracePlace> ends = places_of(segment);
+  return glm::length(to_glm(ends[1].point) - to_glm(ends[0].point));
 }
 
 double shortest_segment_at(const StoryRecord& record, std::uint32_t place) {
@@ -32,8 +34,8 @@ double shortest_segment_at(const StoryRecord& record, std::uint32_t place) {
 double neighborhood_size(const StoryRecord& record, const TraceEvent& event) {
   const double scene = record.bounds.radius();
   double shortest = 0.3 * scene;
-  for (const std::uint32_t place : event.places)
-    shortest = std::min(shortest, shortest_segment_at(record, place));
+  for (const TracePlace& place : places_of(event))
+    shortest = std::min(shortest, shortest_segment_at(record, place.number));
   return std::clamp(0.45 * shortest, 0.01 * scene, 0.18 * scene);
 }
 
@@ -99,7 +101,7 @@ class Painter {
   }
 
   static void add_segment(Lines& lines, const TraceEvent& event) {
-    for (const Vec3& p : event.points) lines.ends.push_back(glm::vec3(to_glm(p)));
+    for (const TracePlace& p : places_of(event)) lines.ends.push_back(glm::vec3(to_glm(p.point)));
   }
 
   Lines lines(Colour colour, float width) const {
@@ -123,13 +125,14 @@ class Painter {
   }
 
   void highlight(const TraceEvent& event, float width = 5) {
-    if (event.points.size() == 2) {
+    const std::span<const TracePlace> places = places_of(event);
+    if (places.size() == 2) {
       Lines made = lines(theme_.step, width);
       add_segment(made, event);
       add(made);
     }
-    Points ends = points(theme_.step, event.points.size() == 1 ? 13.0f : 8.0f);
-    for (const Vec3& p : event.points) ends.places.push_back(glm::vec3(to_glm(p)));
+    Points ends = points(theme_.step, places.size() == 1 ? 13.0f : 8.0f);
+    for (const TracePlace& p : places) ends.places.push_back(glm::vec3(to_glm(p.point)));
     add(ends);
   }
 
@@ -150,14 +153,17 @@ class Painter {
           along = lines(faint(theme_.coincident), 2.5f);
     for (std::size_t i = from; i < to; ++i) {
       const TraceEvent& event = record_.event(i);
-      const bool face = event.a[0] == 'f' || event.b[0] == 'f';
-      if (event.kind == "segment")
-        add_segment(event.a[0] == 'f' && event.b[0] == 'f' ? across : along, event);
-      else
-        (!face                                    ? coincident
-         : event.a[0] == 'e' || event.b[0] == 'e' ? through
-                                                  : in_face)
-            .places.push_back(glm::vec3(to_glm(event.points[0])));
+      if (const auto* segment = std::get_if<SegmentEvent>(&event)) {
+        add_segment(segment->a.is_face() && segment->b.is_face() ? across : along, event);
+        continue;
+      }
+      const auto& contact = std::get<ContactEvent>(event);
+      const bool face = contact.a.is_face() || contact.b.is_face(),
+                 edge = contact.a.is_edge() || contact.b.is_edge();
+      (!face  ? coincident
+       : edge ? through
+              : in_face)
+          .places.push_back(glm::vec3(to_glm(contact.place.point)));
     }
     add(across);
     add(along);
@@ -166,13 +172,20 @@ class Painter {
     add(coincident);
   }
 
-  Colour class_colour(int solid, const std::string& code) const {
+  Colour class_colour(int solid, std::optional<TraceClass> cls) const {
     const bool a = solid == 0;
-    if (code == "in") return a ? theme_.a_in_b : theme_.b_in_a;
-    if (code == "out") return a ? theme_.a_out_b : theme_.b_out_a;
-    if (code == "on+") return a ? theme_.a_on_b_plus : theme_.b_on_a_plus;
-    if (code == "on-") return a ? theme_.a_on_b_minus : theme_.b_on_a_minus;
-    return with_alpha(theme_.neutral, 0.8f);
+    if (!cls) return with_alpha(theme_.neutral, 0.8f);
+    switch (*cls) {
+      case TraceClass::in:
+        return a ? theme_.a_in_b : theme_.b_in_a;
+      case TraceClass::out:
+        return a ? theme_.a_out_b : theme_.b_out_a;
+      case TraceClass::on_plus:
+        return a ? theme_.a_on_b_plus : theme_.b_on_a_plus;
+      case TraceClass::on_minus:
+        break;
+    }
+    return a ? theme_.a_on_b_minus : theme_.b_on_a_minus;
   }
 
   void paint_classes(const ClassMeshes& meshes, float alpha, bool edges) {
@@ -205,25 +218,25 @@ class Painter {
     const double size = neighborhood_size(record_, event);
     ClassMeshes meshes;
     add_fans(record_, here, size, meshes);
-    add_strips(event, 0.5 * size, 1.15 * size, meshes);
+    add_strips(std::get<NeighborhoodEvent>(event), 0.5 * size, 1.15 * size, meshes);
     paint_classes(earlier, 0.4f, false);
     paint_classes(meshes, 0.75f, true);
     highlight(event, 3);
   }
 
   // How far the ends of a null edge are drawn from their common place.
-  double pull(const TraceEvent& event) const {
+  double pull(const NullEdgeEvent& event) const {
     const double scene = record_.bounds.radius();
-    const double room =
-        event.places.empty() ? 0 : 0.5 * shortest_segment_at(record_, event.places[0]);
+    const double room = event.site ? 0.5 * shortest_segment_at(record_, event.place.number) : 0;
     return std::clamp(room, 0.02 * scene, 0.16 * scene) * (0.75 + 0.25 * view_.exploded);
   }
 
   void add_null_edge(const TraceEvent& event, Lines& edge, Points& from, Points& to) const {
-    const glm::dvec3 place = to_glm(event.points[0]);
-    const double by = pull(event);
-    const glm::vec3 ends[2] = {glm::vec3(place + to_glm(event.pulls[0]) * by),
-                               glm::vec3(place + to_glm(event.pulls[1]) * by)};
+    const auto& null_edge = std::get<NullEdgeEvent>(event);
+    const glm::dvec3 place = to_glm(null_edge.place.point);
+    const double by = pull(null_edge);
+    const glm::vec3 ends[2] = {glm::vec3(place + to_glm(null_edge.pulls[0]) * by),
+                               glm::vec3(place + to_glm(null_edge.pulls[1]) * by)};
     edge.ends.insert(edge.ends.end(), ends, ends + 2);
     from.places.push_back(ends[0]);
     to.places.push_back(ends[1]);
@@ -235,9 +248,9 @@ class Painter {
     std::set<std::uint32_t> places;
     const double size = 0.1 * record_.bounds.radius();
     for (std::size_t i = record_.first_step[0]; i < record_.first_step[1]; ++i)
-      for (const std::uint32_t place : record_.event(i).places)
-        if (places.size() < most_fans && places.insert(place).second)
-          add_fans(record_, place, size, meshes);
+      for (const TracePlace& place : places_of(record_.event(i)))
+        if (places.size() < most_fans && places.insert(place.number).second)
+          add_fans(record_, place.number, size, meshes);
     paint_classes(meshes, 0.6f, true);
   }
 
@@ -269,7 +282,8 @@ class Painter {
       const TraceEvent& event = record_.event(i);
       add_segment(i < done() ? joined : waiting, event);
       if (i > done() || !current())
-        for (const Vec3& p : event.points) ends.places.push_back(glm::vec3(to_glm(p)));
+        for (const TracePlace& p : places_of(event))
+          ends.places.push_back(glm::vec3(to_glm(p.point)));
     }
     add(waiting);
     add(joined);
@@ -286,14 +300,15 @@ class Painter {
     surface.highlighted = highlighted;
     picture_.surfaces.push_back(surface);
     if (!view_.labels) return;
-    picture_.labels.push_back(
-        {part.mesh->bounds.centre() + part.direction * exploded, part.name, theme_.text});
+    picture_.labels.push_back({part.mesh->bounds.centre() + part.direction * exploded,
+                               part_name(part.solid, part.cls), theme_.text});
   }
 
   void paint_components() {
-    const std::string_view now = current() ? current()->fact("part") : "";
+    const auto* now = current() ? std::get_if<PartEvent>(current()) : nullptr;
     for (const Part& part : parts_of(record_, theme_, view_.eight_way))
-      paint_part(part, view_.exploded, part.lumped == now);
+      paint_part(part, view_.exploded,
+                 now != nullptr && now->solid == part.solid && now->side == part.lumped);
   }
 
   // The more wedges are glued, the closer the kept parts are to each other.
@@ -308,8 +323,9 @@ class Painter {
   // A wedge's edge where the kept parts of its solids are now.
   static void add_seam(Lines& seams, const TraceEvent& event, const glm::dvec3 (&moved)[2]) {
     for (int s = 0; s < 2; ++s)
-      if (!(s == 0 ? event.a : event.b).empty())
-        for (const Vec3& p : event.points) seams.ends.push_back(glm::vec3(to_glm(p) + moved[s]));
+      if (!entities_of(event, s).empty())
+        for (const TracePlace& p : places_of(event))
+          seams.ends.push_back(glm::vec3(to_glm(p.point) + moved[s]));
   }
 
   void paint_gluing() {
@@ -319,7 +335,7 @@ class Painter {
       if (part.kept) {
         if (part.turned) part.mesh = turned_inside_out(*part.mesh);
         paint_part(part, exploded, false);
-        moved[part.name[0] == 'A' ? 0 : 1] = part.direction * exploded;
+        moved[part.solid] = part.direction * exploded;
       } else if (!part.mesh->positions.empty()) {
         Surface ghost;
         ghost.mesh = part.mesh;
@@ -344,17 +360,19 @@ class Painter {
   }
 
   static std::string label_of(const TraceEvent& event) {
-    std::string text = event.a.empty() ? "" : "A " + event.a;
-    if (!event.b.empty()) text += (text.empty() ? "B " : " · B ") + event.b;
+    const std::string a = names_of(event, 0), b = names_of(event, 1);
+    std::string text = a.empty() ? "" : "A " + a;
+    if (!b.empty()) text += (text.empty() ? "B " : " · B ") + b;
     return text;
   }
 
   void add_label(const TraceEvent& event) {
-    if (event.points.empty()) return;
+    const std::span<const TracePlace> places = places_of(event);
+    if (places.empty()) return;
     glm::dvec3 centre(0);
-    for (const Vec3& p : event.points) centre += to_glm(p);
+    for (const TracePlace& p : places) centre += to_glm(p.point);
     picture_.labels.push_back(
-        {centre / static_cast<double>(event.points.size()), label_of(event), theme_.text});
+        {centre / static_cast<double>(places.size()), label_of(event), theme_.text});
   }
 
   void paint_labels() {
@@ -384,9 +402,10 @@ Picture draw_phase(const StoryRecord& record, Phase phase, const StoryView& view
 
 Bounds place_of_step(const StoryRecord& record, std::size_t step) {
   const TraceEvent& event = record.events[record.steps.at(step).event];
-  if (event.points.empty()) return record.bounds;
+  const std::span<const TracePlace> places = places_of(event);
+  if (places.empty()) return record.bounds;
   Bounds bounds;
-  for (const Vec3& p : event.points) bounds.add(to_glm(p));
+  for (const TracePlace& p : places) bounds.add(to_glm(p.point));
   const double room = 2 * neighborhood_size(record, event);
   bounds.add(bounds.low - room);
   bounds.add(bounds.high + room);

@@ -5,50 +5,77 @@
 
 namespace sectile::viewer {
 
-EventsByPlace::EventsByPlace(const std::vector<TraceEvent>& events, std::string_view kind) {
-  std::size_t places = 0;
-  for (const TraceEvent& event : events)
-    for (const std::uint32_t place : event.places)
-      places = std::max<std::size_t>(places, place + 1);
-  start_.assign(places + 1, 0);
+template <class Event>
+EventsByPlace EventsByPlace::of(const std::vector<TraceEvent>& events) {
   const auto visit = [&](const auto& use) {
     for (std::uint32_t i = 0; i < events.size(); ++i)
-      if (events[i].kind == kind)
-        for (const std::uint32_t place : events[i].places) use(place, i);
+      if (std::holds_alternative<Event>(events[i]))
+        for (const TracePlace& place : places_of(events[i]))
+          if (place.number != TracePlace::no_number) use(place.number, i);
   };
-  visit([&](std::uint32_t place, std::uint32_t) { ++start_[place + 1]; });
-  for (std::size_t p = 0; p < places; ++p) start_[p + 1] += start_[p];
-  events_.resize(start_.back());
-  std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-  visit([&](std::uint32_t place, std::uint32_t i) { events_[next[place]++] = i; });
+  std::size_t places = 0;
+  visit([&](std::uint32_t place, std::uint32_t) {
+    places = std::max<std::size_t>(places, place + 1);
+  });
+  EventsByPlace by_place;
+  by_place.start_.assign(places + 1, 0);
+  visit([&](std::uint32_t place, std::uint32_t) { ++by_place.start_[place + 1]; });
+  for (std::size_t p = 0; p < places; ++p) by_place.start_[p + 1] += by_place.start_[p];
+  by_place.events_.resize(by_place.start_.back());
+  std::vector<std::uint32_t> next(by_place.start_.begin(), by_place.start_.end() - 1);
+  visit([&](std::uint32_t place, std::uint32_t i) { by_place.events_[next[place]++] = i; });
+  return by_place;
 }
 
 std::span<const std::uint32_t> EventsByPlace::at(std::uint32_t place) const {
-  if (place + 1 >= start_.size()) return {};
+  if (start_.empty() || place >= start_.size() - 1) return {};
   return std::span(events_).subspan(start_[place], start_[place + 1] - start_[place]);
 }
 
-const TraceEvent* StoryRecord::neighborhood(std::uint32_t from, std::uint32_t to) const {
-  for (const std::uint32_t i : neighborhoods.at(from))
-    if (events[i].places[0] == from && events[i].places[1] == to) return &events[i];
+const NeighborhoodEvent* StoryRecord::neighborhood(const std::array<TracePlace, 2>& ends) const {
+  for (const std::uint32_t i : neighborhoods.at(ends[0].number)) {
+    const auto& event = std::get<NeighborhoodEvent>(events[i]);
+    if (event.ends[0].number == ends[0].number && event.ends[1].number == ends[1].number)
+      return &event;
+  }
   return nullptr;
 }
 
 Sight StoryRecord::sight(std::uint32_t place) const {
   Sight best = Sight::edge_through_face;
   for (const std::uint32_t i : contacts.at(place)) {
-    const TraceEvent& contact = events[i];
-    const bool face = contact.a[0] == 'f' || contact.b[0] == 'f';
-    const bool vertex = contact.a[0] == 'v' || contact.b[0] == 'v';
-    if (!face) return Sight::coincident;
-    if (vertex) best = Sight::vertex_in_face;
+    const auto& contact = std::get<ContactEvent>(events[i]);
+    if (!contact.a.is_face() && !contact.b.is_face()) return Sight::coincident;
+    if (contact.a.is_vertex() || contact.b.is_vertex()) best = Sight::vertex_in_face;
   }
   return best;
 }
 
 std::uint32_t StoryRecord::main_place(const TraceEvent& event) const {
-  return *std::max_element(event.places.begin(), event.places.end(),
-                           [&](std::uint32_t p, std::uint32_t q) { return sight(p) < sight(q); });
+  const std::span<const TracePlace> places = places_of(event);
+  return std::max_element(places.begin(), places.end(),
+                          [&](const TracePlace& p, const TracePlace& q) {
+                            return sight(p.number) < sight(q.number);
+                          })
+      ->number;
+}
+
+bool has_place(const TraceEvent& event) {
+  const std::span<const TracePlace> places = places_of(event);
+  return !places.empty() && places.front().number != TracePlace::no_number;
+}
+
+bool is_of_one_solid(const WedgeEvent& event) {
+  return event.between[0].solid == event.between[1].solid;
+}
+
+std::string names_of(const TraceEvent& event, int solid) {
+  std::string names;
+  for (const TraceEntity& entity : entities_of(event, solid)) {
+    if (!names.empty()) names += ' ';
+    names += name_of(entity);
+  }
+  return names;
 }
 
 const Mesh& StoryRecord::operand(int solid) const {
@@ -83,8 +110,9 @@ const std::array<Mesh, 8>& StoryRecord::eight_parts() const {
 
 namespace {
 
-bool is_edge_and_face(std::string_view kind) {
-  return kind == "edge on face" || kind == "face on edge";
+template <class Event>
+bool is_edge_and_face(const Event& event) {
+  return (event.a.is_edge() && event.b.is_face()) || (event.a.is_face() && event.b.is_edge());
 }
 
 // An edge that crosses a face's interior is the plain case, and what follows from it: faces that
@@ -93,32 +121,28 @@ class Specials {
  public:
   explicit Specials(const StoryRecord& record) : record_(record) {}
 
-  bool is_special(const TraceEvent& event) const {
-    const std::string_view kind = event.fact("kind");
-    if (event.kind == "contact") return !is_edge_and_face(kind);
-    if (event.kind == "segment") return kind != "face on face";
-    if (event.kind == "neighborhood") return !is_plain_crossing(event);
-    if (event.kind == "null edge") return !is_plain_null_edge(event);
-    if (event.kind == "cut") return (event.a + event.b)[0] != 'f';
-    if (event.kind == "wedge") return event.a.empty() || event.b.empty();
-    return false;
+  bool operator()(const ContactEvent& event) const { return !is_edge_and_face(event); }
+  bool operator()(const SegmentEvent& event) const {
+    return !event.a.is_face() || !event.b.is_face();
   }
-
- private:
-  static bool is_plain_crossing(const TraceEvent& event) {
-    return event.half_planes.size() == 4 &&
-           std::all_of(event.half_planes.begin(), event.half_planes.end(),
-                       [](const TraceHalfPlane& h) { return h.carrier[0] == 'f'; });
+  bool operator()(const NeighborhoodEvent& event) const {
+    return event.half_planes.size() != 4 ||
+           std::any_of(event.half_planes.begin(), event.half_planes.end(),
+                       [](const TraceHalfPlane& h) { return !h.carrier.is_face(); });
   }
-
-  bool is_plain_null_edge(const TraceEvent& event) const {
-    if (event.places.empty() || event.fact("cuts there") != "2") return false;
-    const auto contacts = record_.contacts.at(event.places[0]);
-    return std::all_of(contacts.begin(), contacts.end(), [&](std::uint32_t i) {
-      return is_edge_and_face(record_.events[i].fact("kind"));
+  bool operator()(const NullEdgeEvent& event) const {
+    if (!event.site || event.site->cuts != 2) return true;
+    const auto contacts = record_.contacts.at(event.place.number);
+    return std::any_of(contacts.begin(), contacts.end(), [&](std::uint32_t i) {
+      return !is_edge_and_face(std::get<ContactEvent>(record_.events[i]));
     });
   }
+  bool operator()(const CutEvent& event) const { return !event.carrier.is_face(); }
+  bool operator()(const WedgeEvent& event) const { return is_of_one_solid(event); }
+  bool operator()(const PartEvent&) const { return false; }
+  bool operator()(const ResultEvent&) const { return false; }
 
+ private:
   const StoryRecord& record_;
 };
 
@@ -130,7 +154,8 @@ class Recorder : public Observer {
     record_.events.reserve(record_.events.size() + events.size());
     for (const TraceEvent& event : events) {
       // Pieces that nothing was cut between stay as they are.
-      if (event.kind == "wedge" && event.fact("glued") != "yes") continue;
+      const auto* wedge = std::get_if<WedgeEvent>(&event);
+      if (wedge != nullptr && !wedge->glued) continue;
       record_.steps.push_back({phase, static_cast<std::uint32_t>(record_.events.size()), false});
       record_.events.push_back(event);
     }
@@ -142,13 +167,7 @@ class Recorder : public Observer {
 
 // With an empty operand nothing is to be done and no phase reports.
 void add_result_alone(StoryRecord& record) {
-  const SolidCounts c = record.result.counts();
-  TraceEvent event;
-  event.kind = "result";
-  event.facts = {{"vertices", std::to_string(c.vertices)}, {"edges", std::to_string(c.edges)},
-                 {"faces", std::to_string(c.faces)},       {"loops", std::to_string(c.loops)},
-                 {"shells", std::to_string(c.shells)},     {"genus", std::to_string(c.genus)}};
-  Recorder(record).phase_done(Phase::cleanup, {event});
+  Recorder(record).phase_done(Phase::cleanup, {ResultEvent{record.result.counts()}});
 }
 
 void add_bounds(Bounds& bounds, const Solid& solid) {
@@ -178,12 +197,12 @@ std::shared_ptr<const StoryRecord> record_story(const Solid& a, const Solid& b, 
   options.cancel = cancel;
   record->result = boolean(a, b, operation, options);
   if (record->steps.empty()) add_result_alone(*record);
-  record->contacts = EventsByPlace(record->events, "contact");
-  record->neighborhoods = EventsByPlace(record->events, "neighborhood");
-  record->null_edges = EventsByPlace(record->events, "null edge");
+  record->contacts = EventsByPlace::of<ContactEvent>(record->events);
+  record->neighborhoods = EventsByPlace::of<NeighborhoodEvent>(record->events);
+  record->null_edges = EventsByPlace::of<NullEdgeEvent>(record->events);
   const Specials specials(*record);
   for (StepRecord& step : record->steps)
-    step.special = specials.is_special(record->events[step.event]);
+    step.special = std::visit(specials, record->events[step.event]);
   find_phases(*record);
   add_bounds(record->bounds, a);
   add_bounds(record->bounds, b);

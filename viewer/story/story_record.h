@@ -5,7 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <span>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "picture/surface_mesh.h"
@@ -20,7 +20,9 @@ using Mesh = std::shared_ptr<const SurfaceMesh>;
 class EventsByPlace {
  public:
   EventsByPlace() = default;
-  EventsByPlace(const std::vector<TraceEvent>& events, std::string_view kind);
+  /// Of the events of one kind.
+  template <class Event>
+  static EventsByPlace of(const std::vector<TraceEvent>& events);
   std::span<const std::uint32_t> at(std::uint32_t place) const;
 
  private:
@@ -42,7 +44,7 @@ struct StoryRecord {
 
   const TraceEvent& event(std::size_t step) const { return events[steps[step].event]; }
   /// The neighborhood of the segment between two places; null if there is none.
-  const TraceEvent* neighborhood(std::uint32_t from, std::uint32_t to) const;
+  const NeighborhoodEvent* neighborhood(const std::array<TracePlace, 2>& ends) const;
 
   Sight sight(std::uint32_t place) const;
   /// The place of an event whose neighborhood says most; the event has one.
@@ -63,6 +65,12 @@ struct StoryRecord {
   mutable std::array<Mesh, 4> four_;
   mutable std::array<Mesh, 8> eight_;
 };
+
+/// Is there a contact point where it takes place?
+bool has_place(const TraceEvent& event);
+bool is_of_one_solid(const WedgeEvent& event);
+/// "v12", "e3 e5" or nothing: the entities of a solid that it is about.
+std::string names_of(const TraceEvent& event, int solid);
 
 /// Runs the operation and keeps what it reports.
 std::shared_ptr<const StoryRecord> record_story(const Solid& a, const Solid& b, Operation operation,

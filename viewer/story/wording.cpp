@@ -5,19 +5,12 @@
 
 namespace sectile::viewer {
 
-std::string with_kind(std::string_view entity) {
-  const char letter = entity.empty() ? ' ' : entity[0];
-  const char* kind = letter == 'v' ? "vertex " : letter == 'e' ? "edge " : "face ";
-  return kind + std::string(entity);
+std::string with_kind(const TraceEntity& entity) {
+  return std::string(word_for(entity.kind)) + " " + name_of(entity);
 }
 
-std::string of_solid(int solid, std::string_view entity) {
+std::string of_solid(int solid, const TraceEntity& entity) {
   return with_kind(entity) + (solid == 0 ? " of A" : " of B");
-}
-
-std::string part_name(int solid, std::string_view code) {
-  return (solid == 0 ? "A" : "B") + std::string(code.substr(0, code.starts_with("on") ? 2 : 3)) +
-         (solid == 0 ? "B" : "A") + std::string(code.starts_with("on") ? code.substr(2) : "");
 }
 
 std::string sign(Operation operation) {
@@ -48,9 +41,9 @@ std::string equation_4(Operation operation) {
   return "By equation (4) the boundary of A \\ B is AoutB glued to BinA turned inside out.";
 }
 
-std::string counted(std::string_view number, std::string_view one) {
-  const std::string start = std::string(number) + " ";
-  if (number == "1") return start + std::string(one);
+std::string counted(std::size_t number, std::string_view one) {
+  const std::string start = std::to_string(number) + " ";
+  if (number == 1) return start + std::string(one);
   return start + (one == "vertex" ? "vertices" : std::string(one) + "s");
 }
 

@@ -9,11 +9,9 @@
 namespace sectile::viewer {
 
 /// "vertex v3", "edge e2", "face f1".
-std::string with_kind(std::string_view entity);
+std::string with_kind(const TraceEntity& entity);
 /// The same with "of A" or "of B".
-std::string of_solid(int solid, std::string_view entity);
-/// "AinB", "AonB+", … for a class as traced.
-std::string part_name(int solid, std::string_view code);
+std::string of_solid(int solid, const TraceEntity& entity);
 /// "∪", "∩" or "\".
 std::string sign(Operation operation);
 /// "A ∪ B", …
@@ -21,7 +19,7 @@ std::string formula(Operation operation);
 /// Equation (4) for an operation, as a sentence.
 std::string equation_4(Operation operation);
 /// "1 face", "2 faces".
-std::string counted(std::string_view number, std::string_view one);
+std::string counted(std::size_t number, std::string_view one);
 std::string capital(std::string text);
 /// "(1, 2.5, 3)".
 std::string coordinates(const Vec3& point);

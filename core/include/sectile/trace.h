@@ -1,11 +1,14 @@
 // The trace: what each phase of an operation did, for debugging, for the viewer, and as JSON.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <variant>
 #include <vector>
 
 #include "sectile/boolean.h"
@@ -25,6 +28,28 @@ enum class Phase {
 };
 std::string_view name_of(Phase phase);
 
+/// A vertex, an edge or a face, with the number that it has in the operand. What the operation made
+/// is counted on from there. Prints as v12, e3, f7.
+struct TraceEntity {
+  enum class Kind : std::uint8_t { vertex, edge, face };
+  Kind kind = Kind::vertex;
+  std::uint32_t number = 0;
+  bool is_vertex() const { return kind == Kind::vertex; }
+  bool is_edge() const { return kind == Kind::edge; }
+  bool is_face() const { return kind == Kind::face; }
+  friend bool operator==(const TraceEntity&, const TraceEntity&) = default;
+};
+std::string name_of(const TraceEntity& entity);
+/// "vertex", "edge", "face".
+std::string_view word_for(TraceEntity::Kind kind);
+
+/// A contact point: its number among all of them, and its coordinates, rounded.
+struct TracePlace {
+  static constexpr std::uint32_t no_number = 0xFFFFFFFFu;
+  std::uint32_t number = no_number;
+  Vec3 point;
+};
+
 /// What a face has around a contact point: its corner there, its half beside an edge, or all of it.
 /// Directions have length one and are rounded: they are for drawing.
 struct TraceSector {
@@ -38,41 +63,110 @@ struct TraceSector {
   Vec3 normal;  ///< of the face, outwards
 };
 
+/// Where a piece of one boundary lies: in or outside the other solid, or on its boundary with the
+/// same or the opposite normal. Prints as in, out, on+, on-.
+enum class TraceClass : std::uint8_t { in, on_plus, on_minus, out };
+std::string_view name_of(TraceClass cls);
+inline bool is_on(TraceClass cls) {
+  return cls == TraceClass::on_plus || cls == TraceClass::on_minus;
+}
+
 /// One side of a face or an edge at a contact segment. Directions as above.
 struct TraceHalfPlane {
   std::uint8_t solid = 0;
   bool forward = true;  ///< material lies clockwise of it, seen against the segment's direction
   std::uint32_t face = 0;
-  std::string carrier;      ///< the face or edge that has the segment: f7, e3
-  Vec3 direction;           ///< away from the segment, into the face
-  Vec3 normal;              ///< of the face, outwards
-  std::string_view before;  ///< its class: in, out, on+, on-
-  std::string_view after;   ///< reclassified by Table I: in, out
+  TraceEntity carrier;  ///< the face or edge that has the segment
+  Vec3 direction;       ///< away from the segment, into the face
+  Vec3 normal;          ///< of the face, outwards
+  TraceClass before = TraceClass::in;
+  TraceClass after = TraceClass::in;  ///< reclassified by Table I: in or out
   int coplanar = -1;  ///< the half-plane of the other solid on which it lies (an index), or -1
   bool kept = false;  ///< in the boundary of the result
   bool cut = false;   ///< its carrier is cut along the segment
 };
-/// Table I: the class (as in `before`) that a piece of a solid's boundary gets for an operation.
-std::string_view reclassified(Operation operation, int solid, std::string_view before);
+/// Table I: the class that a piece of a solid's boundary gets for an operation.
+TraceClass reclassified(Operation operation, int solid, TraceClass before);
 /// Both classes and what follows, in one line.
 std::string describe(const TraceHalfPlane& half_plane);
 
-/// One thing that a phase found or did. Entities print as v12, e3, f7, with the numbers that they
-/// have in the operand; those that the operation made are counted on from there.
-struct TraceEvent {
-  std::string kind;  ///< contact, segment, neighborhood, null edge, cut, part, wedge, result
-  std::string a, b;  ///< the entities of A and of B concerned, if any
-  std::vector<Vec3> points;  ///< one place, or the two ends of a segment
-  std::vector<std::pair<std::string, std::string>> facts;  ///< name and value, in words
-  std::vector<std::uint32_t> places;  ///< the numbers of the points among all contact points
-  std::vector<TraceSector> sectors;   ///< of a contact: cycles of A's, then of B's
-  /// Of a neighborhood: counter-clockwise, seen against the direction of the segment.
-  std::vector<TraceHalfPlane> half_planes;
-  std::vector<Vec3> pulls;  ///< of a null edge: how its two ends move apart; length 0 … 1
+// What the phases find and do. `ends` are those of a segment.
 
-  /// The value of a fact, or nothing.
-  std::string_view fact(std::string_view name) const;
+/// An entity of A and one of B share a point.
+struct ContactEvent {
+  TraceEntity a, b;
+  TracePlace place;
+  std::vector<TraceSector> sectors;  ///< cycles of A's, then of B's
 };
+/// An entity of A and one of B share a segment.
+struct SegmentEvent {
+  TraceEntity a, b;
+  std::array<TracePlace, 2> ends;
+};
+struct NeighborhoodEvent {
+  std::vector<TraceEntity> a, b;  ///< all that have the segment
+  std::array<TracePlace, 2> ends;
+  /// Counter-clockwise, seen against the direction of the segment.
+  std::vector<TraceHalfPlane> half_planes;
+};
+struct NullEdgeEvent {
+  /// The cuts for which it was made.
+  struct Site {
+    TraceEntity at;
+    std::uint32_t cuts = 0;
+  };
+  std::uint8_t solid = 0;
+  TraceEntity edge, from, to;
+  TracePlace place;           ///< without a number if it has no site
+  std::optional<Site> site;   ///< or it links corners that touch each other
+  std::array<Vec3, 2> pulls;  ///< how its two ends move apart; length 0 … 1
+};
+/// A cut of a face or beside an edge, from one null edge to another.
+struct CutEvent {
+  std::uint8_t solid = 0;
+  TraceEntity carrier;
+  std::array<TracePlace, 2> ends;
+  std::uint32_t forward_side = 0, backward_side = 0;  ///< half-edges
+};
+/// A part of a boundary: what lies in, or outside, the other solid.
+struct PartEvent {
+  enum class Fate : std::uint8_t { dropped, kept, turned };
+  std::uint8_t solid = 0;
+  TraceClass side = TraceClass::in;
+  Fate fate = Fate::dropped;
+  std::size_t faces = 0;
+};
+/// "AinB", "AonB+", …
+std::string part_name(int solid, TraceClass cls);
+/// "dropped", "kept", "kept, turned inside out".
+std::string_view name_of(PartEvent::Fate fate);
+/// Two faces that bound one wedge of the result's material along a segment.
+struct WedgeEvent {
+  struct Side {
+    std::uint8_t solid = 0;
+    TraceEntity face;
+  };
+  std::array<TracePlace, 2> ends;
+  std::array<Side, 2> between;
+  bool glued = false;  ///< or never apart
+};
+/// "A f3 and B f7".
+std::string describe(const std::array<WedgeEvent::Side, 2>& between);
+struct ResultEvent {
+  SolidCounts counts;
+};
+
+using TraceEvent = std::variant<ContactEvent, SegmentEvent, NeighborhoodEvent, NullEdgeEvent,
+                                CutEvent, PartEvent, WedgeEvent, ResultEvent>;
+
+/// "contact", "segment", "neighborhood", "null edge", "cut", "part", "wedge", "result".
+std::string_view kind_of(const TraceEvent& event);
+/// The one place, or the two ends of a segment, or none.
+std::span<const TracePlace> places_of(const TraceEvent& event);
+/// The entities of a solid that it is about, if any.
+std::vector<TraceEntity> entities_of(const TraceEvent& event, int solid);
+/// "vertex on face": what meets in a contact or a segment of these.
+std::string meeting_of(const TraceEntity& a, const TraceEntity& b);
 
 /// The place in the paper that settles a neighborhood, as far as its geometry is one of the paper's
 /// cases, and what is said there.
@@ -80,7 +174,7 @@ struct PaperRule {
   std::string where;  ///< e.g. "Table II, row 4"
   std::string says;   ///< a sentence
 };
-PaperRule paper_rule(const TraceEvent& neighborhood, Operation operation);
+PaperRule paper_rule(const NeighborhoodEvent& neighborhood, Operation operation);
 
 /// Is told what each phase did, once per phase and in order, by the thread that runs the operation.
 class Observer {

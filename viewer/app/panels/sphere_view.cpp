@@ -111,7 +111,7 @@ class SphereDrawing {
   void draw_mark_label(const SpherePicture::Mark& mark) {
     if (!is_front(mark.direction)) return;
     std::string text = mark.label;
-    if (!mark.code.empty()) text += (text.empty() ? "" : " ") + mark.code;
+    if (mark.cut) text += text.empty() ? "cut" : " cut";
     if (text.empty()) return;
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 at = place(mark.direction);
