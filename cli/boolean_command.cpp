@@ -58,8 +58,8 @@ Command add_boolean_command(CLI::App& program, Operation operation, Options& opt
   add_input_format(*app, options);
   add_output_format(*app, options);
   add_validate(*app, options,
-               "check that no faces of the operands cross, all invariants after every phase, and "
-               "the results as they are and as they were rounded");
+               "check all invariants after every phase, and the results as they are and as they "
+               "were rounded");
   add_reporting(*app, options);
   return {app, [=, &options] { return run(*arguments, operation, options); }};
 }

@@ -19,16 +19,6 @@ void require_legal_results(const Operands& operands, const std::vector<Solid>& r
 
 }  // namespace
 
-void blame_illegal_operands(const Operands& operands, const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const InternalError&) {
-    for (std::size_t i = 0; i < operands.solids.size(); ++i)
-      require_legal(operands.names[i], operands.solids[i]);
-    throw;
-  }
-}
-
 std::vector<Written> compute_and_write(
     const Operands& operands, const std::vector<std::string>& outputs, const Options& options,
     Progress& progress, const std::function<std::vector<Solid>(const BooleanOptions&)>& work) {
@@ -37,14 +27,10 @@ std::vector<Written> compute_and_write(
   how.validate = options.validate;
   how.cancel = interrupt.requested();
   how.progress = [&](double done) { progress.fraction(done); };
-  std::vector<Written> written;
-  blame_illegal_operands(operands, [&] {
-    const std::vector<Solid> results = work(how);
-    if (options.validate) require_legal_results(operands, results);
-    interrupt.check();
-    written = write_solids(outputs, results, operands.unit, options, progress, interrupt);
-  });
-  return written;
+  const std::vector<Solid> results = work(how);
+  if (options.validate) require_legal_results(operands, results);
+  interrupt.check();
+  return write_solids(outputs, results, operands.unit, options, progress, interrupt);
 }
 
 }  // namespace sectile::cli

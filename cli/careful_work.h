@@ -1,5 +1,4 @@
-// From operands to files: work that can be interrupted, shows its progress, and blames the right
-// one.
+// From operands to files: work that can be interrupted and shows its progress.
 #pragma once
 
 #include <functional>
@@ -13,10 +12,6 @@
 #include "summary.h"
 
 namespace sectile::cli {
-
-/// Calls `work`. An internal error in it is a defect of the library only if the operands are legal;
-/// if one is not, IllegalInput is thrown instead.
-void blame_illegal_operands(const Operands& operands, const std::function<void()>& work);
 
 /// Calls `work` with the options that the command line asks for, and writes its results, one for
 /// each output. With --validate the results are checked first. Can be interrupted until the files

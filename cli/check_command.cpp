@@ -46,7 +46,7 @@ ExitCode run(const std::string& name, const Options& options) {
   const PolygonMesh mesh = joined(read_input(name, options), name);
   progress.stage("checking " + name);
   try {
-    const Solid solid = import_input(name, mesh, true);
+    const Solid solid = import_input(name, mesh, progress);
     if (options.json)
       print_json(name, solid);
     else if (!options.quiet)

@@ -30,29 +30,21 @@ std::vector<Written> convert_parts(const Arguments& arguments, const Model& mode
     const auto& [name, mesh] = model.meshes[i];
     const std::string part = part_name(name, i, model.meshes.size());
     operands.names.push_back(arguments.input + (part.empty() ? "" : "#" + part));
-    operands.solids.push_back(import_input(operands.names.back(), mesh, options.validate));
+    operands.solids.push_back(import_input(operands.names.back(), mesh, progress));
     parts.push_back({name, operands.solids.back()});
   }
   const Interrupt interrupt;
-  std::vector<Written> written;
-  blame_illegal_operands(operands, [&] {
-    written = write_parts(arguments.output, parts, model.unit, options, progress, interrupt);
-  });
-  return written;
+  return write_parts(arguments.output, parts, model.unit, options, progress, interrupt);
 }
 
 // Several solids become one, where the format holds no more.
 std::vector<Written> convert_whole(const Arguments& arguments, const PolygonMesh& mesh,
                                    LengthUnit unit, const Options& options, Progress& progress) {
-  const Solid solid = import_input(arguments.input, mesh, options.validate);
+  const Solid solid = import_input(arguments.input, mesh, progress);
   const Interrupt interrupt;
-  std::vector<Written> written;
-  blame_illegal_operands({{arguments.input}, {solid}}, [&] {
-    written = arguments.keep_faces
-                  ? write_faces(arguments.output, solid, mesh, options, interrupt)
-                  : write_solids({arguments.output}, {solid}, unit, options, progress, interrupt);
-  });
-  return written;
+  return arguments.keep_faces
+             ? write_faces(arguments.output, solid, mesh, options, interrupt)
+             : write_solids({arguments.output}, {solid}, unit, options, progress, interrupt);
 }
 
 ExitCode run(const Arguments& arguments, const Options& options) {
@@ -83,7 +75,7 @@ Command add_convert_command(CLI::App& program, Options& options) {
              "write positions and polygons as they were read, not triangles (not for STL and 3MF)");
   add_input_format(*app, options);
   add_output_format(*app, options);
-  add_validate(*app, options, "check also that no faces cross, and the file written");
+  add_validate(*app, options, "check also the file written");
   add_reporting(*app, options);
   return {app, [=, &options] { return run(*arguments, options); }};
 }

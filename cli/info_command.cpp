@@ -88,8 +88,11 @@ std::string kind_of(FileFormat format) {
 
 class Description {
  public:
-  Description(const std::string& name, const Options& options)
-      : name_(name), options_(options), in_words_(!options.json && !options.quiet) {}
+  Description(const std::string& name, const Options& options, Progress& progress)
+      : name_(name),
+        options_(options),
+        progress_(progress),
+        in_words_(!options.json && !options.quiet) {}
 
   void run(const Model& model) {
     const FileFormat format = input_format(name_, options_);
@@ -123,7 +126,7 @@ class Description {
 
   void add_solid(Json& json, const std::string& name, const PolygonMesh& mesh) const {
     try {
-      const Solid solid = import_input(name, mesh, false);
+      const Solid solid = import_input(name, mesh, progress_);
       json["solid"] = to_json(solid);
       if (in_words_) print_solid(solid);
     } catch (const IllegalInput& error) {
@@ -136,6 +139,7 @@ class Description {
 
   const std::string& name_;
   const Options& options_;
+  Progress& progress_;
   bool in_words_;
 };
 
@@ -143,7 +147,7 @@ ExitCode run(const std::string& name, const Options& options) {
   check_inputs({name});
   Progress progress(!options.quiet);
   progress.stage("reading " + name);
-  Description(name, options).run(read_input(name, options));
+  Description(name, options, progress).run(read_input(name, options));
   return ExitCode::done;
 }
 

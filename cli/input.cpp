@@ -8,7 +8,6 @@
 
 #include "file_formats.h"
 #include "problem.h"
-#include "sectile/validate.h"
 
 namespace sectile::cli {
 namespace {
@@ -110,13 +109,13 @@ std::string part_name(const std::string& name, std::size_t index, std::size_t co
   return !name.empty() || count == 1 ? name : std::to_string(index + 1);
 }
 
-Solid import_input(const std::string& name, const PolygonMesh& mesh, bool validate) {
+Solid import_input(const std::string& name, const PolygonMesh& mesh, Progress& progress) {
   try {
-    Solid solid = Solid::from_mesh(mesh);
-    if (validate) require_legal(name, solid);
-    return solid;
+    ImportOptions how;
+    how.progress = [&](double done) { progress.fraction(done); };
+    return Solid::from_mesh(mesh, how);
   } catch (const InvalidSolid& error) {
-    throw IllegalInput(in_messages(name), {problem_of(error)});
+    throw IllegalInput(in_messages(name), problems_of(error));
   }
 }
 
@@ -134,18 +133,10 @@ Operands read_operands(const std::vector<std::string>& names, const Options& opt
       unit = model.unit;
     }
     const PolygonMesh mesh = joined(model, in_messages(name));
-    operands.solids.push_back(import_input(name, mesh, options.validate));
+    operands.solids.push_back(import_input(name, mesh, progress));
   }
   operands.unit = unit.value_or(LengthUnit::millimeter);
   return operands;
-}
-
-void require_legal(const std::string& name, const Solid& solid) {
-  const std::vector<Violation> violations = validate(solid);
-  if (violations.empty()) return;
-  std::vector<Problem> problems;
-  for (const Violation& violation : violations) problems.push_back(problem_of(violation));
-  throw IllegalInput(in_messages(name), std::move(problems));
 }
 
 }  // namespace sectile::cli

@@ -24,8 +24,8 @@ Model read_input(const std::string& name, const Options& options);
 /// it needs one. `index` is counted from 0.
 std::string part_name(const std::string& name, std::size_t index, std::size_t count);
 
-/// Throws IllegalInput; with `validate` also if faces cross.
-Solid import_input(const std::string& name, const PolygonMesh& mesh, bool validate);
+/// Throws IllegalInput.
+Solid import_input(const std::string& name, const PolygonMesh& mesh, Progress& progress);
 
 /// Operands, the names of their files, and the unit of those that have one.
 struct Operands {
@@ -38,8 +38,5 @@ struct Operands {
 /// operand together. Throws UsageError if the operands are in different units.
 Operands read_operands(const std::vector<std::string>& names, const Options& options,
                        Progress& progress);
-
-/// Throws IllegalInput if the validator objects to the solid read from this file.
-void require_legal(const std::string& name, const Solid& solid);
 
 }  // namespace sectile::cli

@@ -44,12 +44,22 @@ std::string all_in_words(const std::string& file, const std::vector<Problem>& pr
 
 }  // namespace
 
-Problem problem_of(const InvalidSolid& error) {
-  return {name_of(error.reason()), error.what(), known(error.face()), known(error.vertex()), {}};
+std::vector<Problem> problems_of(const InvalidSolid& error) {
+  std::vector<Problem> problems;
+  for (const FaceContact& c : error.contacts())
+    problems.push_back({name_of(error.reason()), c.what, c.face, c.other, {}, c.where});
+  if (problems.empty())
+    problems.push_back({name_of(error.reason()),
+                        error.what(),
+                        known(error.face()),
+                        {},
+                        known(error.vertex()),
+                        {}});
+  return problems;
 }
 
 Problem problem_of(const Violation& violation) {
-  Problem problem{"self_intersecting", violation.what, {}, {}, {}};
+  Problem problem{"self_intersecting", violation.what, {}, {}, {}, {}};
   // The validator leaves the origin where it knows no place.
   if (violation.where != Vec3{}) problem.where = violation.where;
   return problem;
@@ -66,6 +76,7 @@ std::string in_words(const Problem& problem) {
 Json to_json(const Problem& problem) {
   Json json{{"reason", problem.reason}, {"message", problem.message}};
   if (problem.face) json["face"] = *problem.face;
+  if (problem.other_face) json["other_face"] = *problem.other_face;
   if (problem.vertex) json["vertex"] = *problem.vertex;
   if (problem.where) json["where"] = {problem.where->x, problem.where->y, problem.where->z};
   return json;

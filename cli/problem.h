@@ -18,10 +18,11 @@ using Json = nlohmann::ordered_json;
 struct Problem {
   std::string reason;  ///< one word, for programs
   std::string message;
-  std::optional<std::uint32_t> face, vertex;
+  std::optional<std::uint32_t> face, other_face, vertex;
   std::optional<Vec3> where;
 };
-Problem problem_of(const InvalidSolid& error);
+/// One, or one for each two faces that meet as they cannot.
+std::vector<Problem> problems_of(const InvalidSolid& error);
 Problem problem_of(const Violation& violation);
 std::string in_words(const Problem& problem);
 Json to_json(const Problem& problem);

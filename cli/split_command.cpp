@@ -66,8 +66,8 @@ Command add_split_command(CLI::App& program, Options& options) {
   add_input_format(*app, options);
   add_output_format(*app, options);
   add_validate(*app, options,
-               "check that no faces of the solid cross, all invariants after every phase, and the "
-               "parts as they are and as they were rounded");
+               "check all invariants after every phase, and the parts as they are and as they were "
+               "rounded");
   add_reporting(*app, options);
   return {app, [=, &options] { return run(*arguments, options); }};
 }

@@ -31,9 +31,7 @@ ExitCode run(const Arguments& arguments, const Options& options) {
   progress.stage("trace");
   std::ostringstream out;
   out.exceptions(std::ios::badbit);  // a stream would hide that memory ran out
-  blame_illegal_operands(operands, [&] {
-    write_trace(out, operands.solids[0], operands.solids[1], arguments.operation);
-  });
+  write_trace(out, operands.solids[0], operands.solids[1], arguments.operation);
   const std::string trace = std::move(out).str();
   const Interrupt interrupt;  // half a file would be left
   write_outputs({{arguments.output, trace}});
@@ -62,7 +60,6 @@ Command add_trace_command(CLI::App& program, Options& options) {
   add_text(*app, "-o,--output", arguments->output, "file of the trace; - is standard output",
            "T.json");
   add_input_format(*app, options);
-  add_validate(*app, options, "check that no faces of the operands cross");
   add_reporting(*app, options);
   return {app, [=, &options] { return run(*arguments, options); }};
 }

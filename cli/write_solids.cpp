@@ -11,12 +11,12 @@ namespace sectile::cli {
 namespace {
 
 // Exact points are rounded when they are written, and that can fold or cross faces.
-std::optional<Problem> problem_of_rounding(const std::string& name, const PolygonMesh& mesh) {
+std::optional<Problem> problem_of_rounding(const PolygonMesh& mesh) {
   try {
-    import_input(name, mesh, true);
+    Solid::from_mesh(mesh);
     return {};
-  } catch (const IllegalInput& error) {
-    return error.problems().front();
+  } catch (const InvalidSolid& error) {
+    return problems_of(error).front();
   }
 }
 
@@ -58,7 +58,7 @@ class SolidWriter {
     const Model model = read_model(file, output_format(name, options_), name);
     Written* const first = &written[written.size() - solids];
     for (std::size_t i = 0; i < solids; ++i)
-      first[i].problem = problem_of_rounding(name_of(first[i]), model.meshes[i].mesh);
+      first[i].problem = problem_of_rounding(model.meshes[i].mesh);
   }
 
   const Options& options_;

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "boolean/face_parts.h"
-#include "boolean/neighborhoods.h"
-#include "boolean/run.h"
-#include "sectile/errors.h"
+#include "import/contacts.h"
+#include "import/nesting.h"
+#include "import/shells.h"
 #include "topology/links.h"
 
 namespace sectile {
@@ -22,6 +22,7 @@ class Validator {
     check_edges();
     check_loops();
     if (geometry && found_.empty()) check_against_itself();
+    if (geometry && found_.empty()) check_nesting();
     return std::move(found_);
   }
 
@@ -68,27 +69,25 @@ class Validator {
       }
   }
 
-  // A legal solid lies on itself everywhere, with equal normals; where its faces cross, the
-  // material around a line does not alternate, or a piece lies inside or outside.
   void check_against_itself() {
-    const BooleanOptions options;
-    Workspace w(options);
-    try {
-      FacePairs pairs;
-      load(w, data_.in_one_block(), data_.in_one_block(), pairs);
-      reduce(w, pairs);
-      find_neighborhoods(w, {});
-    } catch (const InternalError& error) {
-      found_.push_back({std::string("faces cross each other: ") + error.what(), {}});
-      return;
+    for (const FacePairContact& c : face_contacts(brep_, kernel_)) {
+      report(c.first, "and f" + std::to_string(c.second.value()) + " " + in_words(c.kind), c.where);
     }
-    for (const Segment& s : w.segments)
-      for (std::uint32_t i = 0; i < s.half_plane_count; ++i) {
-        const HalfPlane& h = w.half_planes[s.first_half_plane + i];
-        if (h.cls == Class::on_plus) continue;
-        report(h.face, "crosses another face", w.geometry.position(w.point(s.place[0])));
-        break;
-      }
+  }
+
+  // Around each shell there is no material.
+  void check_nesting() {
+    const Shells shells = find_shells(brep_);
+    std::vector<std::uint8_t> seen(shells.count, 0);
+    for (std::uint32_t f = 0; f < brep_.face_count(); ++f) {
+      const std::uint32_t shell = shells.of_face[f];
+      if (seen[shell]) continue;
+      seen[shell] = 1;
+      const FaceId face = oblique_face(data_, kernel_, shells, shell, f);
+      if (material_outside(data_, kernel_, face) == 0) continue;
+      report(face, "its shell is not nested as those of a solid are",
+             position(brep_.loop_half_edge[brep_.outer_loop[face.value()].value()]));
+    }
   }
 
   const SolidData& data_;

@@ -5,9 +5,9 @@
 #include <array>
 #include <string>
 
+#include "geometry/face_predicates.h"
 #include "geometry/triangulation.h"
 #include "import/crossing.h"
-#include "import/face_predicates.h"
 #include "import/polygons.h"
 #include "sectile/errors.h"
 

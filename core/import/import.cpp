@@ -4,6 +4,7 @@
 #include <atomic>
 #include <string>
 
+#include "import/contacts.h"
 #include "import/diagnosis.h"
 #include "import/polygons.h"
 #include "import/shells.h"
@@ -135,7 +136,7 @@ std::uint32_t new_origin() {
 
 namespace {
 
-std::shared_ptr<const SolidData> import_view(const SoupView& soup) {
+std::shared_ptr<const SolidData> import_view(const SoupView& soup, const ImportOptions& options) {
   auto data = std::make_shared<SolidData>();
   std::vector<std::uint32_t> input_vertex;
   Polygons polygons = read_polygons(soup, data->geometry(), input_vertex);
@@ -147,6 +148,7 @@ std::shared_ptr<const SolidData> import_view(const SoupView& soup) {
   data->origin = new_origin();
   BrepBuilder(polygons, mate, data->brep()).run(data->origin);
   pin_flat_edges(data->brep(), data->geometry(), kernel);
+  if (!options.trusted) refuse_contacts(data->brep(), kernel, options);
   check_orientation(*data, kernel);
   data->cut();
   return data;
@@ -154,14 +156,15 @@ std::shared_ptr<const SolidData> import_view(const SoupView& soup) {
 
 }  // namespace
 
-std::shared_ptr<const SolidData> import_soup(const Soup& soup) {
+std::shared_ptr<const SolidData> import_soup(const Soup& soup, const ImportOptions& options) {
   if (soup.face_loops.empty() && !soup.loop_sizes.empty())
     throw InvalidSolid(InvalidSolid::Reason::malformed, "there are loops that belong to no face");
-  return import_view({soup.positions, soup.face_loops, soup.loop_sizes, soup.indices});
+  return import_view({soup.positions, soup.face_loops, soup.loop_sizes, soup.indices}, options);
 }
 
-std::shared_ptr<const SolidData> import_mesh(const PolygonMesh& mesh) {
-  return import_view({mesh.positions, {}, mesh.face_sizes, mesh.indices});
+std::shared_ptr<const SolidData> import_mesh(const PolygonMesh& mesh,
+                                             const ImportOptions& options) {
+  return import_view({mesh.positions, {}, mesh.face_sizes, mesh.indices}, options);
 }
 
 }  // namespace sectile

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "geometry/face_predicates.h"
 #include "geometry/triangulation.h"
-#include "import/face_predicates.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -53,18 +53,17 @@ class LineThroughFace {
   // The parabola's point at the parameter k / n, with the weight n².
   void choose_point(int k, int n) {
     const double weights[3] = {double(n - k) * (n - k), 2.0 * k * (n - k), double(k) * k};
-    Dyadic* const coordinates[] = {&point_.x[0], &point_.x[1], &point_.x[2]};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      Dyadic sum;
-      for (std::size_t i = 0; i < 3; ++i)
-        sum += Dyadic(weights[i]) * Dyadic(coordinate(triangle_[i], axis));
-      *coordinates[axis] = sum;
+    const ExactPoint* const corners[] = {&kernel_.exact(triangle_[0]), &kernel_.exact(triangle_[1]),
+                                         &kernel_.exact(triangle_[2])};
+    point_ = {{Dyadic(), Dyadic(), Dyadic()},
+              Dyadic(double(n) * n) * corners[0]->w * corners[1]->w * corners[2]->w};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Dyadic share = Dyadic(weights[i]) * corners[(i + 1) % 3]->w * corners[(i + 2) % 3]->w;
+      for (int axis = 0; axis < 3; ++axis) point_.x[axis] += share * corners[i]->x[axis];
     }
-    point_.w = Dyadic(double(n) * n);
-  }
-  double coordinate(PointId p, std::size_t axis) const {
-    const Vec3& v = data_.geometry().position(p);
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+    if (point_.w.sign() == Sign::positive) return;
+    for (Dyadic& x : point_.x) x = -x;
+    point_.w = -point_.w;
   }
 
   // Nothing if the line meets an edge.
@@ -99,6 +98,11 @@ class LineThroughFace {
     return faces_on ? beyond : beyond - 1;
   }
 
+  // The sign of the line's distance from a point along the y axis.
+  Sign above(const ExactPoint& p) const {
+    return (point_.x[1] * p.w - p.x[1] * point_.w).sign() * p.w.sign();
+  }
+
   Sign side_of(PlaneId plane) const { return value_at(kernel_.exact(plane), point_).sign(); }
 
   // Does the line go through the face? Nothing if it meets an edge of it.
@@ -107,13 +111,11 @@ class LineThroughFace {
     for_each_in_face(data_.brep(), f, [&](HalfEdgeId h) {
       const PointId u = data_.brep().point_of(data_.brep().from(h)),
                     v = data_.brep().point_of(data_.brep().to(h));
-      const Dyadic uy(coordinate(u, 1)), vy(coordinate(v, 1)), uz(coordinate(u, 2)),
-          vz(coordinate(v, 2));
-      const Dyadic from_u = point_.x[1] - uy * point_.w, from_v = point_.x[1] - vy * point_.w;
-      const Sign side_u = from_u.sign(), side_v = from_v.sign();
+      const ExactPoint &from = kernel_.exact(u), &to = kernel_.exact(v);
+      const Sign side_u = above(from), side_v = above(to);
       if (side_u == Sign::zero || side_v == Sign::zero) on_edge = true;
       if (side_u == side_v || on_edge) return;
-      const Sign turn = ((vy - uy) * (point_.x[2] - uz * point_.w) - (vz - uz) * from_u).sign();
+      const Sign turn = turn_of(from, to, point_, 0).sign() * from.w.sign() * to.w.sign();
       if (turn == Sign::zero) on_edge = true;
       if ((turn == Sign::positive) == (side_u == Sign::negative)) odd = !odd;
     });

@@ -10,8 +10,8 @@
 namespace sectile {
 
 /// How much material of other faces is around the outer side of a point within a face: 0 where all
-/// shells are nested as those of a solid are. All points are explicit, and the face is not parallel
-/// to the x axis. Throws InvalidSolid if another face lies on the point.
+/// shells are nested as those of a solid are. The face is not parallel to
+/// the x axis. Throws InvalidSolid if another face lies on the point.
 int material_outside(const SolidData& data, const Kernel& kernel, FaceId face);
 
 }  // namespace sectile

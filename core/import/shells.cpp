@@ -130,15 +130,6 @@ class ShellVolumes {
   std::vector<Enclosed> volumes_;
 };
 
-// A face of the shell that is not parallel to the x axis.
-FaceId oblique_face(const SolidData& data, const Kernel& kernel, const Shells& shells,
-                    std::uint32_t shell, std::uint32_t first) {
-  for (std::size_t f = first; f < data.brep().face_count(); ++f)
-    if (shells.of_face[f] == shell && kernel.normal(data.brep().plane[f], 0) != Sign::zero)
-      return FaceId(f);
-  throw InternalError("a shell has no extent in the plane across an axis");
-}
-
 void refuse_inside_out(std::uint32_t face) {
   throw InvalidSolid(InvalidSolid::Reason::inside_out,
                      "the shell with face " + std::to_string(face) +
@@ -147,6 +138,14 @@ void refuse_inside_out(std::uint32_t face) {
 }
 
 }  // namespace
+
+FaceId oblique_face(const SolidData& data, const Kernel& kernel, const Shells& shells,
+                    std::uint32_t shell, std::uint32_t first) {
+  for (std::size_t f = first; f < data.brep().face_count(); ++f)
+    if (shells.of_face[f] == shell && kernel.normal(data.brep().plane[f], 0) != Sign::zero)
+      return FaceId(f);
+  throw InternalError("a shell has no extent in the plane across an axis");
+}
 
 void check_orientation(const SolidData& data, const Kernel& kernel) {
   const Shells shells = find_shells(data.brep());

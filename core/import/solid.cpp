@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "geometry/face_predicates.h"
 #include "geometry/triangulation.h"
-#include "import/face_predicates.h"
 #include "import/shells.h"
 #include "import/soup.h"
 #include "storage/solid_data.h"
@@ -19,7 +19,11 @@ Solid& Solid::operator=(Solid&&) noexcept = default;
 Solid::Solid(std::shared_ptr<const SolidData> data) : data_(std::move(data)) {}
 
 Solid Solid::from_mesh(const PolygonMesh& mesh) {
-  return Solid(import_mesh(mesh));
+  return from_mesh(mesh, {});
+}
+
+Solid Solid::from_mesh(const PolygonMesh& mesh, const ImportOptions& options) {
+  return Solid(import_mesh(mesh, options));
 }
 
 bool Solid::is_empty() const {

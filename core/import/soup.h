@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sectile/mesh.h"
+#include "sectile/solid.h"
 #include "storage/solid_data.h"
 
 namespace sectile {
@@ -23,7 +24,8 @@ struct Soup {
 std::uint32_t new_origin();
 
 /// Throws InvalidSolid as Solid::from_mesh does. Faces keep their number as FaceSource::face.
-std::shared_ptr<const SolidData> import_soup(const Soup& soup);
-std::shared_ptr<const SolidData> import_mesh(const PolygonMesh& mesh);
+std::shared_ptr<const SolidData> import_soup(const Soup& soup, const ImportOptions& options = {});
+std::shared_ptr<const SolidData> import_mesh(const PolygonMesh& mesh,
+                                             const ImportOptions& options = {});
 
 }  // namespace sectile

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "geometry/face_predicates.h"
 #include "geometry/triangulation.h"
-#include "import/face_predicates.h"
 #include "import/polygons.h"
 #include "sectile/errors.h"
 

@@ -103,6 +103,12 @@ Hubs::Hubs(const Brep& brep) {
     if (of_face_[f] != none) faces_[face_end_[of_face_[f]]++] = FaceId(f);
 }
 
+Box direction_box(const Vec3& hub, std::span<const Vec3> points) {
+  Directions directions(hub);
+  for (const Vec3& p : points) directions.add(p);
+  return directions.box();
+}
+
 std::vector<Box> direction_boxes(const Brep& brep, const Geometry& geometry, PointId hub,
                                  std::span<const FaceId> faces) {
   std::vector<Box> boxes;

@@ -38,6 +38,9 @@ class Hubs {
   std::vector<FaceId> faces_;
 };
 
+/// A box around the directions (unit vectors) in which what these points span is seen from a hub.
+Box direction_box(const Vec3& hub, std::span<const Vec3> points);
+
 /// Boxes around the directions (unit vectors) in which the faces of a fan are seen from the hub.
 /// Faces that have more than the hub in common have boxes that overlap.
 std::vector<Box> direction_boxes(const Brep& brep, const Geometry& geometry, PointId hub,

@@ -1,28 +1,15 @@
-// Exit code 4: defects of the library with legal operands, and memory that runs out.
+// Exit code 4: defects of the library, and memory that runs out.
 #include <gtest/gtest.h>
 
-#include "careful_work.h"
 #include "failures.h"
 #include "mesh_files.h"
-#include "problem.h"
 #include "program.h"
 #include "sectile/sectile.h"
 
 namespace sectile::test {
 namespace {
 
-// A cube of side 2 whose top is a funnel that goes out through the bottom.
-Solid pierced_by_itself() {
-  PolygonMesh mesh;
-  mesh.positions = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2},
-                    {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {1, 1, -1}};
-  mesh.face_sizes = {4, 4, 4, 4, 4, 3, 3, 3, 3};
-  mesh.indices = {3, 2, 1, 0, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6,
-                  3, 0, 4, 7, 4, 5, 8, 5, 6, 8, 6, 7, 8, 7, 4, 8};
-  return Solid::from_mesh(mesh);
-}
-
-[[noreturn]] void fail() {
+void fail() {
   throw InternalError("a defect");
 }
 
@@ -31,7 +18,7 @@ struct Told {
   std::string out, err;
 };
 
-Told told(const cli::Operands& operands, bool json) {
+Told told(bool json) {
   cli::Options options;
   options.json = json;
   ::testing::internal::CaptureStdout();
@@ -39,18 +26,15 @@ Told told(const cli::Operands& operands, bool json) {
   const cli::ExitCode code = cli::run_and_tell(
       "union",
       [&] {
-        cli::blame_illegal_operands(operands, fail);
+        fail();
         return cli::ExitCode::done;
       },
       options);
   return {code, ::testing::internal::GetCapturedStdout(), ::testing::internal::GetCapturedStderr()};
 }
 
-TEST(InternalFailure, OfLegalOperandsIsADefect) {
-  const cli::Operands legal{{"a.obj", "b.obj"},
-                            {block({0, 0, 0}, {1, 1, 1}), block({0, 0, 0}, {2, 2, 2})}};
-  EXPECT_THROW(cli::blame_illegal_operands(legal, fail), InternalError);
-  const Told plain = told(legal, false), json = told(legal, true);
+TEST(InternalFailure, IsADefect) {
+  const Told plain = told(false), json = told(true);
   EXPECT_EQ(plain.code, cli::ExitCode::internal_failure);
   EXPECT_EQ(static_cast<int>(plain.code), 4);
   EXPECT_EQ(plain.out, "");
@@ -59,16 +43,6 @@ TEST(InternalFailure, OfLegalOperandsIsADefect) {
   EXPECT_EQ(json.out,
             "{\"command\":\"union\",\"exit_code\":4,"
             "\"error\":{\"kind\":\"internal\",\"message\":\"a defect\"}}\n");
-}
-
-TEST(InternalFailure, OfIllegalOperandsIsTheirFault) {
-  const cli::Operands illegal{{"a.obj", "b.obj"},
-                              {block({0, 0, 0}, {1, 1, 1}), pierced_by_itself()}};
-  EXPECT_THROW(cli::blame_illegal_operands(illegal, fail), cli::IllegalInput);
-  const Told plain = told(illegal, false);
-  EXPECT_EQ(plain.code, cli::ExitCode::not_legal);
-  EXPECT_TRUE(plain.err.starts_with("sectile: b.obj: not a legal solid: ")) << plain.err;
-  EXPECT_EQ(plain.err.find("a defect"), std::string::npos);
 }
 
 class OutOfMemory : public ProgramTest {

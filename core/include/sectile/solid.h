@@ -1,7 +1,9 @@
 // The solid: a value that holds a regular polyhedral point set exactly.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -27,6 +29,15 @@ struct SolidCounts {
   std::int64_t genus = 0;
 };
 
+/// How a mesh is imported.
+struct ImportOptions {
+  /// The caller promises that no faces cross or overlap, which is then not looked at. If the
+  /// promise is broken, later results are wrong, or InternalError is thrown.
+  bool trusted = false;
+  const std::atomic<bool>* cancel = nullptr;  ///< Cancelled is thrown soon after it is set
+  std::function<void(double)> progress;       ///< is told the part done, by one thread at a time
+};
+
 /// A regular, closed, bounded set of points with polygonal faces; may be empty.
 ///
 /// A value: cheap to copy and to move, immutable from outside, safe to read from many threads.
@@ -43,8 +54,11 @@ class Solid {
   /// duplicated vertices, non-manifold edges and vertices (resolved into wedges of material),
   /// zero-area faces (removed), non-planar polygons (triangulated), corners of one face within an
   /// edge of its neighbour (the edge is divided). Equal positions are one point.
-  /// Throws InvalidSolid.
+  /// Throws InvalidSolid, also for faces that cross or overlap anywhere and for shells in the
+  /// material of others.
   static Solid from_mesh(const PolygonMesh& mesh);
+  /// May also throw Cancelled.
+  static Solid from_mesh(const PolygonMesh& mesh, const ImportOptions& options);
 
   /// Triangles. Coordinates that are no doubles are rounded to the nearest.
   PolygonMesh to_mesh() const;

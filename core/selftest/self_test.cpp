@@ -1,0 +1,184 @@
+#include "selftest/self_test.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <bit>
+#include <mutex>
+#include <tuple>
+
+#include "sectile/errors.h"
+#include "selftest/flat_block.h"
+#include "selftest/node_labels.h"
+#include "selftest/triangle_hubs.h"
+#include "selftest/triangle_pair.h"
+#include "selftest/triangle_tree.h"
+
+namespace sectile {
+namespace {
+
+// The work is divided by the nodes of one level: each meets itself and those that come after it.
+class Traversal {
+ public:
+  Traversal(const TriangleSurface& surface, const Kernel& kernel, const SelfTestControl& control)
+      : surface_(surface),
+        control_(control),
+        tree_(surface, kernel.geometry()),
+        blocks_(surface, tree_, kernel),
+        faces_(tree_, labels_of_faces()),
+        hubs_(surface, kernel.geometry()),
+        fans_(tree_, hubs_.of_triangle()),
+        settled_(tree_, labels_of_settled()),
+        pairs_(surface, kernel) {}
+
+  std::vector<SelfContact> run() {
+    const std::size_t level = std::min<std::size_t>(tree_.levels() - 1, 2);
+    const std::size_t count = tree_.nodes(level), steps = count + hubs_.count();
+    tbb::parallel_for(std::size_t(0), count, [&](std::size_t node) {
+      check_cancelled();
+      const std::size_t top = tree_.levels() - 1;
+      Visitor visitor{*this, found_.local()};
+      visitor.meet_itself(level, node);
+      visitor.meet_later(level, node, tree_.boxes(level, node).all(), top, 0);
+      note_step(steps);
+    });
+    tbb::parallel_for(std::size_t(0), hubs_.count(), [&](std::size_t hub) {
+      check_cancelled();
+      auto& found = found_.local();
+      hubs_.for_each_pair(hub, [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); });
+      note_step(steps);
+    });
+    if (control_.progress) control_.progress(1);
+    return sorted();
+  }
+
+ private:
+  using Found = std::vector<SelfContact>;
+
+  struct Visitor {
+    const Traversal& all;
+    Found& found;
+
+    void meet_itself(std::size_t level, std::size_t node) {
+      if (all.blocks_.flat(level, node) || all.known(level, node, node)) return;
+      const EightBoxes& boxes = all.tree_.boxes(level, node);
+      const unsigned count = all.tree_.children(level, node);
+      for (unsigned i = 0; i < count; ++i) {
+        if (level > 0) meet_itself(level - 1, 8 * node + i);
+        const unsigned later = boxes.overlapping(boxes.get(i)) & ~((2u << i) - 1);
+        meet_children(level, 8 * node + i, 8 * node, later);
+      }
+    }
+
+    // What comes after the node in the order, within another one of any higher level.
+    void meet_later(std::size_t level, std::size_t node, const Box& box, std::size_t at_level,
+                    std::size_t at) {
+      if (at_level == level) return;
+      const std::size_t shift = 3 * (at_level - level - 1);
+      const std::size_t own = node >> shift;  // the child of `at`'s level that contains the node
+      if (own >= 8 * at && own < 8 * at + 8 && all.blocks_.flat(at_level, at)) return;
+      for (unsigned bits = all.tree_.boxes(at_level, at).overlapping(box); bits != 0;
+           bits &= bits - 1) {
+        const std::size_t child = 8 * at + static_cast<unsigned>(std::countr_zero(bits));
+        if (child < own) continue;
+        if (at_level - 1 > level)
+          meet_later(level, node, box, at_level - 1, child);
+        else if (child > node)
+          meet(level, node, child);
+      }
+    }
+
+    // Two nodes of one level.
+    void meet(std::size_t level, std::size_t a, std::size_t b) {
+      if (all.known(level, a, b)) return;
+      const EightBoxes &of_a = all.tree_.boxes(level, a), &of_b = all.tree_.boxes(level, b);
+      for (unsigned bits = of_a.overlapping(of_b.all()); bits != 0; bits &= bits - 1) {
+        const auto i = static_cast<unsigned>(std::countr_zero(bits));
+        meet_children(level, 8 * a + i, 8 * b, of_b.overlapping(of_a.get(i)));
+      }
+    }
+
+    void meet_children(std::size_t level, std::size_t i, std::size_t first, unsigned bits) {
+      for (; bits != 0; bits &= bits - 1) {
+        const std::size_t j = first + static_cast<unsigned>(std::countr_zero(bits));
+        if (level > 0) {
+          meet(level - 1, i, j);
+          continue;
+        }
+        const std::uint32_t s = all.tree_.order()[i], t = all.tree_.order()[j];
+        if (!all.hubs_.same(s, t)) all.test(s, t, found);
+      }
+    }
+  };
+
+  // Is nothing to be tested between two nodes?
+  bool known(std::size_t level, std::size_t a, std::size_t b) const {
+    return faces_.same(level, a, b) || fans_.same(level, a, b) || settled_.same(level, a, b);
+  }
+
+  std::vector<std::uint32_t> labels_of_settled() const {
+    std::vector<std::uint32_t> labels(surface_.settled.size(), NodeLabels::none);
+    for (std::size_t t = 0; t < labels.size(); ++t)
+      if (surface_.settled[t] != 0) labels[t] = 0;
+    return labels;
+  }
+
+  // Not needed if each face is one triangle.
+  std::vector<std::uint32_t> labels_of_faces() const {
+    if (surface_.face.back() + 1 == surface_.size()) return {};
+    std::vector<std::uint32_t> labels = surface_.face;
+    if (!surface_.doubtful.empty())
+      for (std::uint32_t& label : labels)
+        if (surface_.doubtful[label] != 0) label = NodeLabels::none;
+    return labels;
+  }
+
+  void test(std::uint32_t s, std::uint32_t t, Found& found) const {
+    if (const auto contact = pairs_.test(std::min(s, t), std::max(s, t))) found.push_back(*contact);
+  }
+
+  void check_cancelled() const {
+    if (control_.cancel && control_.cancel->load(std::memory_order_relaxed)) throw Cancelled();
+  }
+  void note_step(std::size_t steps) {
+    const std::size_t done = ++done_;
+    if (!control_.progress || !telling_.try_lock()) return;
+    const std::lock_guard lock(telling_, std::adopt_lock);
+    if (done < steps) control_.progress(double(done) / double(steps));
+  }
+
+  std::vector<SelfContact> sorted() {
+    std::vector<SelfContact> all;
+    for (const Found& some : found_) all.insert(all.end(), some.begin(), some.end());
+    std::sort(all.begin(), all.end(), [](const SelfContact& a, const SelfContact& b) {
+      return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+    });
+    return all;
+  }
+
+  const TriangleSurface& surface_;
+  const SelfTestControl& control_;
+  TriangleTree tree_;
+  FlatBlocks blocks_;
+  NodeLabels faces_;
+  TriangleHubs hubs_;
+  NodeLabels fans_, settled_;
+  TrianglePairs pairs_;
+  tbb::enumerable_thread_specific<Found> found_;
+  std::atomic<std::size_t> done_{0};
+  std::mutex telling_;
+};
+
+}  // namespace
+
+std::vector<SelfContact> self_contacts(const TriangleSurface& surface, const Kernel& kernel,
+                                       const SelfTestControl& control) {
+  if (surface.size() == 0) return {};
+  std::vector<SelfContact> found;
+  tbb::this_task_arena::isolate([&] { found = Traversal(surface, kernel, control).run(); });
+  return found;
+}
+
+}  // namespace sectile

@@ -1,0 +1,118 @@
+#include "selftest/triangle_tree.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "search/morton.h"
+
+namespace sectile {
+namespace {
+
+template <class Body>
+void for_range(std::size_t count, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 2048), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+  });
+}
+
+std::vector<Box> triangle_boxes(const TriangleSurface& surface, const Geometry& geometry) {
+  std::vector<Box> boxes(surface.size());
+  for_range(boxes.size(), [&](std::size_t i) {
+    Bounds bounds;
+    for (const PointId p : surface.corners[i]) bounds.add(geometry.position(p));
+    boxes[i] = bounds.box();
+  });
+  return boxes;
+}
+
+// By the upper 32 bits of each key, of which 30 are used; equal ones stay as they are.
+void sort_by_upper_half(std::vector<std::uint64_t>& keys) {
+  constexpr unsigned bits = 10, buckets = 1u << bits;
+  std::vector<std::uint64_t> other(keys.size());
+  for (unsigned shift = 32; shift < 62; shift += bits) {
+    std::array<std::uint32_t, buckets> at{};
+    for (const std::uint64_t key : keys) ++at[(key >> shift) % buckets];
+    std::uint32_t end = 0;
+    for (std::uint32_t& n : at) {
+      const std::uint32_t count = n;
+      n = end;
+      end += count;
+    }
+    for (const std::uint64_t key : keys) other[at[(key >> shift) % buckets]++] = key;
+    keys.swap(other);
+  }
+}
+
+std::vector<std::uint32_t> morton_order(const std::vector<Box>& boxes) {
+  Box all;
+  for (const Box& b : boxes) all.add(b);
+  const Morton morton(all);
+  std::vector<std::uint64_t> keys(boxes.size());
+  for_range(keys.size(),
+            [&](std::size_t i) { keys[i] = std::uint64_t(morton(boxes[i])) << 32 | i; });
+  if (keys.size() < 2048)
+    std::sort(keys.begin(), keys.end());
+  else
+    sort_by_upper_half(keys);
+  std::vector<std::uint32_t> order(keys.size());
+  for_range(keys.size(), [&](std::size_t i) { order[i] = static_cast<std::uint32_t>(keys[i]); });
+  return order;
+}
+
+}  // namespace
+
+EightBoxes::EightBoxes() {
+  for (unsigned i = 0; i < 8; ++i) set(i, Box());
+}
+
+void EightBoxes::set(unsigned i, const Box& box) {
+  for (int k = 0; k < 3; ++k) {
+    low[k][i] = box.low[k];
+    high[k][i] = box.high[k];
+  }
+}
+
+Box EightBoxes::get(unsigned i) const {
+  return {{low[0][i], low[1][i], low[2][i]}, {high[0][i], high[1][i], high[2][i]}};
+}
+
+Box EightBoxes::all() const {
+  Box box;
+  for (unsigned i = 0; i < 8; ++i) box.add(get(i));
+  return box;
+}
+
+unsigned EightBoxes::overlapping(const Box& box) const {
+  unsigned apart[8] = {};
+  for (int k = 0; k < 3; ++k)
+    for (unsigned i = 0; i < 8; ++i)
+      apart[i] |= static_cast<unsigned>(!(low[k][i] <= box.high[k])) |
+                  static_cast<unsigned>(!(box.low[k] <= high[k][i]));
+  unsigned bits = 0;
+  for (unsigned i = 0; i < 8; ++i) bits |= (apart[i] ^ 1u) << i;
+  return bits;
+}
+
+TriangleTree::TriangleTree(const TriangleSurface& surface, const Geometry& geometry) {
+  const std::vector<Box> triangles = triangle_boxes(surface, geometry);
+  order_ = morton_order(triangles);
+  boxes_.emplace_back((order_.size() + 7) / 8);
+  for_range(boxes_[0].size(), [&](std::size_t node) {
+    for (unsigned i = 0; i < children(0, node); ++i)
+      boxes_[0][node].set(i, triangles[order_[8 * node + i]]);
+  });
+  while (boxes_.back().size() > 1) {
+    const std::size_t level = boxes_.size();
+    boxes_.emplace_back((boxes_.back().size() + 7) / 8);
+    for_range(boxes_[level].size(), [&](std::size_t node) {
+      for (unsigned i = 0; i < children(level, node); ++i)
+        boxes_[level][node].set(i, boxes_[level - 1][8 * node + i].all());
+    });
+  }
+}
+
+}  // namespace sectile

@@ -1,0 +1,307 @@
+// The self-test against the definition, on meshes that are legal, touch, overlap, nest and cross.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "import/soup.h"
+#include "sectile/sectile.h"
+#include "unit/brute_force_solid.h"
+
+namespace sectile {
+namespace {
+
+using test::BruteForceSolid;
+
+bool accepted(const PolygonMesh& mesh) {
+  try {
+    Solid::from_mesh(mesh);
+    return true;
+  } catch (const InvalidSolid&) {
+    return false;
+  }
+}
+
+void add_triangle(PolygonMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  mesh.face_sizes.push_back(3);
+  mesh.indices.insert(mesh.indices.end(), {a, b, c});
+}
+
+struct Corner {
+  int x, y, z;
+};
+
+// A convex piece, turned inside out on request.
+class Pieces {
+ public:
+  explicit Pieces(unsigned seed) : random_(seed) {}
+
+  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+
+  PolygonMesh mesh(int count, int size, bool perturbed) {
+    PolygonMesh all;
+    for (int i = 0; i < count; ++i) add_piece(all, size, perturbed);
+    return all;
+  }
+
+ private:
+  void add_piece(PolygonMesh& all, int size, bool perturbed) {
+    const bool inside_out = below(4) == 0;
+    const int kind = below(3);
+    std::vector<Corner> corners;
+    std::vector<std::array<std::uint32_t, 3>> faces;
+    if (kind == 0) {
+      for (int i = 0; i < 4; ++i) corners.push_back(corner(size));
+      faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+      const Corner &a = corners[0], &b = corners[1], &c = corners[2], &d = corners[3];
+      const int det = (b.x - a.x) * ((c.y - a.y) * (d.z - a.z) - (c.z - a.z) * (d.y - a.y)) -
+                      (b.y - a.y) * ((c.x - a.x) * (d.z - a.z) - (c.z - a.z) * (d.x - a.x)) +
+                      (b.z - a.z) * ((c.x - a.x) * (d.y - a.y) - (c.y - a.y) * (d.x - a.x));
+      if (det < 0) std::swap(corners[0], corners[1]);
+    } else {
+      const Corner low{below(size), below(size), below(size)};
+      const Corner high{low.x + 1 + below(size - low.x), low.y + 1 + below(size - low.y),
+                        low.z + 1 + below(size - low.z)};
+      const bool prism = kind == 2;
+      for (int i = 0; i < 8; ++i)
+        corners.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+      if (prism)
+        faces = {{0, 2, 1}, {4, 5, 6}, {0, 1, 5}, {0, 5, 4},
+                 {0, 4, 6}, {0, 6, 2}, {1, 2, 6}, {1, 6, 5}};
+      else
+        faces = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                 {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    }
+    const auto first = static_cast<std::uint32_t>(all.positions.size());
+    for (const Corner& c : corners) {
+      Vec3 p{16.0 * c.x, 16.0 * c.y, 16.0 * c.z};
+      if (perturbed && below(4) == 0)
+        p = {p.x + below(5) - 2, p.y + below(5) - 2, p.z + below(5) - 2};
+      all.positions.push_back(p);
+    }
+    for (auto [a, b, c] : faces) {
+      if (inside_out) std::swap(b, c);
+      add_triangle(all, first + a, first + b, first + c);
+    }
+  }
+  Corner corner(int size) { return {below(size + 1), below(size + 1), below(size + 1)}; }
+
+  std::mt19937 random_;
+};
+
+struct Tally {
+  int legal = 0, illegal = 0;
+};
+
+void compare(const PolygonMesh& mesh, Tally& tally) {
+  const BruteForceSolid reference(mesh);
+  if (reference.has_flat_triangle()) return;
+  const bool legal = reference.is_legal();
+  ++(legal ? tally.legal : tally.illegal);
+  ASSERT_EQ(accepted(mesh), legal);
+}
+
+class RandomPieces : public testing::TestWithParam<std::array<int, 3>> {};
+
+TEST_P(RandomPieces, AreRefusedWhereTheyAreNoSolid) {
+  const auto [count, size, perturbed] = GetParam();
+  Tally tally;
+  Pieces pieces(static_cast<unsigned>(100 * count + 10 * size + perturbed));
+  for (int i = 0; i < 1500; ++i) {
+    SCOPED_TRACE(i);
+    compare(pieces.mesh(count, size, perturbed != 0), tally);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(tally.illegal, 50);
+  EXPECT_GT(tally.legal, 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(SelfTest, RandomPieces,
+                         testing::Values(std::array{1, 3, 1}, std::array{2, 2, 0},
+                                         std::array{2, 3, 0}, std::array{2, 3, 1},
+                                         std::array{2, 6, 1}, std::array{3, 3, 0},
+                                         std::array{3, 5, 0}, std::array{4, 6, 0}));
+
+// A globe of triangles that is bent, twisted and pressed through itself.
+PolygonMesh bent_globe(std::mt19937& random) {
+  const auto real = [&] { return static_cast<double>(random() % 1000) / 1000; };
+  const double twist = 6 * real(), bend = 3 * real(), press = 1.6 * real(),
+               roughness = 0.25 * real();
+  constexpr std::uint32_t rings = 14, segments = 24;
+  PolygonMesh mesh;
+  const auto add = [&](double x, double y, double z) {
+    const double scale = 1 + roughness * (real() - 0.5), angle = twist * z;
+    const double px = scale * (x * std::cos(angle) - y * std::sin(angle)) + bend * z * z - bend / 3;
+    const double py = scale * (x * std::sin(angle) + y * std::cos(angle));
+    const double pz = scale * z * (1 - press * (x * x + y * y));
+    mesh.positions.push_back({std::round(25 * px), std::round(60 * py), std::round(60 * pz)});
+  };
+  constexpr double pi = 3.14159265358979;
+  add(0, 0, -1);
+  for (std::uint32_t r = 1; r < rings; ++r)
+    for (std::uint32_t s = 0; s < segments; ++s) {
+      const double polar = pi * r / rings, around = 2 * pi * s / segments;
+      add(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), -std::cos(polar));
+    }
+  add(0, 0, 1);
+  const std::uint32_t top = 1 + (rings - 1) * segments;
+  for (std::uint32_t s = 0; s < segments; ++s) {
+    const std::uint32_t next = (s + 1) % segments;
+    add_triangle(mesh, 0, 1 + next, 1 + s);
+    add_triangle(mesh, top, top - segments + s, top - segments + next);
+    for (std::uint32_t r = 0; r + 2 < rings; ++r) {
+      const std::uint32_t below = 1 + r * segments, above = below + segments;
+      add_triangle(mesh, below + s, below + next, above + next);
+      add_triangle(mesh, below + s, above + next, above + s);
+    }
+  }
+  return mesh;
+}
+
+TEST(SelfTest, BentGlobesAreRefusedWhereTheyCrossThemselves) {
+  std::mt19937 random(7);
+  Tally tally;
+  for (int i = 0; i < 150; ++i) {
+    SCOPED_TRACE(i);
+    compare(bent_globe(random), tally);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(tally.legal, 10);
+  EXPECT_GT(tally.illegal, 10);
+}
+
+TEST(SelfTest, EveryPairOfACrossingGlobeIsNamed) {
+  std::mt19937 random(11);
+  int compared = 0;
+  for (int i = 0; i < 40; ++i) {
+    const PolygonMesh mesh = bent_globe(random);
+    const BruteForceSolid reference(mesh);
+    if (reference.has_flat_triangle()) continue;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> named;
+    try {
+      Solid::from_mesh(mesh);
+    } catch (const InvalidSolid& error) {
+      if (error.contacts().empty()) continue;  // refused for another reason
+      for (const FaceContact& c : error.contacts()) named.emplace_back(c.face, c.other);
+    }
+    for (std::uint32_t f = 0; f < mesh.face_sizes.size(); ++f)
+      for (std::uint32_t g = f + 1; g < mesh.face_sizes.size(); ++g)
+        if (reference.interiors_meet(f, g)) {
+          ASSERT_TRUE(std::binary_search(named.begin(), named.end(), std::pair(f, g)))
+              << f << ' ' << g;
+        }
+    ++compared;
+  }
+  EXPECT_GT(compared, 10);
+}
+
+// [low, high]³ as squares, in one of several orders.
+void add_cube(PolygonMesh& mesh, double low, double high, unsigned rotation, bool reversed) {
+  std::vector<std::array<std::uint32_t, 4>> faces{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                                  {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  if (reversed) std::reverse(faces.begin(), faces.end());
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (unsigned i = 0; i < 8; ++i)
+    mesh.positions.push_back({i & 1 ? high : low, i & 2 ? high : low, i & 4 ? high : low});
+  for (const auto& f : faces) {
+    mesh.face_sizes.push_back(4);
+    for (unsigned k = 0; k < 4; ++k) mesh.indices.push_back(first + f[(k + rotation) % 4]);
+  }
+}
+
+TEST(SelfTest, CrossingCubesAreRefusedInEveryOrder) {
+  for (unsigned order = 0; order < 16; ++order) {
+    PolygonMesh mesh;
+    const bool swapped = (order & 1) != 0, reversed = (order & 2) != 0;
+    const unsigned rotation = order >> 2;
+    add_cube(mesh, swapped ? 0.5 : 0, swapped ? 2 : 1, rotation, reversed);
+    add_cube(mesh, swapped ? 0 : 0.5, swapped ? 1 : 2, rotation, reversed);
+    try {
+      Solid::from_mesh(mesh);
+      ADD_FAILURE() << "accepted in order " << order;
+    } catch (const InvalidSolid& error) {
+      EXPECT_EQ(error.reason(), InvalidSolid::Reason::self_intersecting);
+      EXPECT_EQ(error.contacts().size(), 6u);
+      ASSERT_TRUE(error.where());
+      for (const double c : {error.where()->x, error.where()->y, error.where()->z}) {
+        EXPECT_GE(c, 0.5);
+        EXPECT_LE(c, 1);
+      }
+      EXPECT_LT(error.face(), 6u);
+      EXPECT_GE(error.contacts().front().other, 6u);
+    }
+  }
+}
+
+TEST(SelfTest, WhoPromisesIsNotChecked) {
+  PolygonMesh mesh;
+  add_cube(mesh, 0, 1, 0, false);
+  add_cube(mesh, 3, 4, 0, false);
+  EXPECT_EQ(Solid::from_mesh(mesh, {.trusted = true, .cancel = nullptr, .progress = {}}),
+            Solid::from_mesh(mesh));
+  add_cube(mesh, 3.5, 4.5, 0, false);
+  EXPECT_THROW(Solid::from_mesh(mesh), InvalidSolid);
+}
+
+TEST(SelfTest, CanBeCancelledAndTellsHowFarItIs) {
+  const PolygonMesh mesh = sphere(1, 200, 100).to_mesh();
+  std::atomic<bool> cancel{true};
+  EXPECT_THROW(Solid::from_mesh(mesh, {.trusted = false, .cancel = &cancel, .progress = {}}),
+               Cancelled);
+  std::atomic<int> calls{0};
+  std::atomic<bool> whole{false};
+  Solid::from_mesh(mesh, {.trusted = false, .cancel = nullptr, .progress = [&](double done) {
+                            ++calls;
+                            if (done == 1) whole = true;
+                          }});
+  EXPECT_GT(calls, 1);
+  EXPECT_TRUE(whole);
+}
+
+// Fans around a hub, told apart by directions.
+TEST(SelfTest, SharpConesAreToldApartByDirections) {
+  constexpr std::uint32_t count = 2000;
+  PolygonMesh mesh;
+  mesh.positions = {{0, 0, 100}, {0, 0, -100}};
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / count;
+    mesh.positions.push_back({std::cos(angle), std::sin(angle), 0});
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t a = 2 + i, b = 2 + (i + 1) % count;
+    add_triangle(mesh, 0, a, b);
+    add_triangle(mesh, 1, b, a);
+  }
+  EXPECT_TRUE(accepted(mesh));
+  std::swap(mesh.positions[2 + 100], mesh.positions[2 + 1000]);
+  EXPECT_FALSE(accepted(mesh));
+}
+
+TEST(SelfTest, PolygonsThatPassThroughACornerOfTheirsAreNoFaces) {
+  // The outer loop comes back through the corner (2, 0) onto its first edge and crosses there.
+  Soup soup;
+  const std::vector<Vec3> outline{{0, 0, 0},  {4, 0, 0},  {4, 4, 0}, {2, 0, 0},
+                                  {3, -2, 0}, {1, -2, 0}, {0, 4, 0}};
+  for (const double z : {0.0, 1.0})
+    for (const Vec3& p : outline) soup.positions.push_back({p.x, p.y, z});
+  const auto n = static_cast<std::uint32_t>(outline.size());
+  const auto add = [&](std::vector<std::uint32_t> face) {
+    soup.face_loops.push_back(1);
+    soup.loop_sizes.push_back(static_cast<std::uint32_t>(face.size()));
+    soup.indices.insert(soup.indices.end(), face.begin(), face.end());
+  };
+  std::vector<std::uint32_t> bottom, top;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    top.push_back(n + i);
+    bottom.push_back(n - 1 - i);
+    const std::uint32_t j = (i + 1) % n;
+    add({i, j, n + j, n + i});
+  }
+  add(top);
+  add(bottom);
+  EXPECT_THROW(import_soup(soup), InvalidSolid);
+}
+
+}  // namespace
+}  // namespace sectile
