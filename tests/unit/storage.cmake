@@ -1,1 +1,2 @@
 sectile_test(blocks_test SOURCES blocks_test.cpp)
+sectile_test(solid_data_test SOURCES solid_data_test.cpp)
