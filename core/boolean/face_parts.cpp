@@ -29,12 +29,13 @@ Estimate estimated_area(const Geometry& g, const std::vector<PointId>& loop, int
     last_i = di;
     last_j = dj;
   }
-  using rounding::unit;
+  using rounding::smallest, rounding::unit;
   const auto count = static_cast<double>(loop.size());
+  // Positions near zero are off by half the least double.
   const double error = 16 * count * unit *
                            (count * extent_i * extent_j + size_i * extent_j + size_j * extent_i +
                             unit * size_i * size_j) +
-                       count * 0x1p-1060;
+                       16 * count * smallest * (extent_i + extent_j) + count * 0x1p-1060;
   return {area, error};
 }
 

@@ -152,10 +152,13 @@ Estimate Kernel::estimate(PointId point, PlaneId plane) const {
   const PlaneValue& s = value(plane);
   const Vec3& p = geometry_.position(point);
   const double x = s.n[0] * p.x, y = s.n[1] * p.y, z = s.n[2] * p.z;
-  // An implicit point's position is off by half an ulp at most: one more rounding each.
+  // An implicit point's position is off by half an ulp at most: one more rounding each. Near zero
+  // that is half the least double, whatever the normal makes of it.
   const double sum = std::abs(x) + std::abs(y) + std::abs(z) + std::abs(s.d);
+  const double size = std::abs(p.x) + std::abs(p.y) + std::abs(p.z) + 4 * smallest;
   const double error = 12 * unit * sum + 8 * smallest + s.d_error +
-                       s.n_error * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z)) * (1 + 8 * unit);
+                       smallest * (std::abs(s.n[0]) + std::abs(s.n[1]) + std::abs(s.n[2])) +
+                       s.n_error * size * (1 + 8 * unit);
   return {x + y + z + s.d, error};
 }
 
@@ -217,8 +220,10 @@ Sign Kernel::det(PlaneId a, PlaneId b, PlaneId c) const {
   const double lu = length(u), lv = length(v), lw = length(w);
   const bool exact_operands = u.exact && v.exact && w.exact;
   double error = 16 * unit * permanent;
+  // A product of two factors that underflows is off by the least double times the third factor.
   if (!exact_operands)
-    error += 2 * (u.n_error * lv * lw + v.n_error * lu * lw + w.n_error * lu * lv) + 32 * smallest;
+    error += 2 * (u.n_error * lv * lw + v.n_error * lu * lw + w.n_error * lu * lv) +
+             4 * smallest * (lu + lv + lw) + 32 * smallest;
   const Estimate verdict{sum, error};
   if (verdict.decided()) return verdict.sign();
   if (exact_operands && permanent == 0) return Sign::zero;

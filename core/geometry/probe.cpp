@@ -30,7 +30,7 @@ Sign Probe::side(PlaneId plane) const {
       4 * rounding::unit * (std::abs(left) + std::abs(right)) +
       2 * (std::abs(u.value) * t.error + std::abs(t.value) * u.error + u.error * t.error +
            std::abs(v.value) * s.error + std::abs(s.value) * v.error + s.error * v.error) +
-      8 * rounding::smallest;
+      16 * rounding::smallest;
   const Estimate crossing{left - right, error};
   if (crossing.decided()) return crossing.sign() * to_side_;
   const Bounded near = value_at(kernel_.bounded(plane), bounded());

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "numbers/rounding.h"
@@ -31,6 +32,13 @@ class Bounded {
     result.low_ = sum_error(a, -b, result.high_);
     return result;
   }
+
+  /// The numbers from value - error to value + error.
+  static Bounded within(double value, double error) { return Bounded(value, 0, error); }
+
+  double high() const { return high_; }  ///< half an ulp from high + low at most
+  double low() const { return low_; }
+  double error() const { return error_; }
 
   bool decided() const { return std::abs(high_) > error_ * (1 + 4 * unit) + std::abs(low_); }
   Sign sign() const { return sign_of(high_); }  ///< if it is decided
@@ -60,26 +68,48 @@ class Bounded {
     return normal(high, low, error * (1 + 16 * unit));
   }
 
-  /// numerator / denominator, correctly rounded, if the errors leave no doubt.
-  friend std::optional<Rounded> nearest_quotient(const Bounded& numerator,
-                                                 const Bounded& denominator) {
-    if (numerator.is_zero()) return Rounded{0, false};
+  /// numerator / denominator, with an endless error if the denominator may be zero.
+  friend Bounded quotient(const Bounded& numerator, const Bounded& denominator) {
+    if (numerator.is_zero()) return {};
     const double first = numerator.high_ / denominator.high_;
     const Bounded rest = numerator - Bounded(first) * denominator;
     const double second = rest.high_ / denominator.high_;
     const double doubt = std::abs(denominator.low_) + denominator.error_;
     const double size = std::abs(denominator.high_);
     // Then the true denominator is at least half as large as `high`.
-    if (!(doubt < size / 4)) return std::nullopt;
+    if (!(doubt < size / 4)) return within(first, std::numeric_limits<double>::infinity());
+    // Divided before it is multiplied, so that underflow cannot hide the doubt.
     const double error =
-        ((2 * (std::abs(rest.low_) + rest.error_) + 2 * std::abs(second) * doubt) / size +
+        (2 * (std::abs(rest.low_) + rest.error_) / size + 2 * std::abs(second) * (doubt / size) +
          8 * unit * std::abs(second) + 16 * smallest) *
         (1 + 16 * unit);
-    const double nearest = first + second, left = sum_error(first, second, nearest);
+    return normal(first, second, error);
+  }
+
+  /// numerator / denominator, correctly rounded, if the errors leave no doubt.
+  friend std::optional<Rounded> nearest_quotient(const Bounded& numerator,
+                                                 const Bounded& denominator) {
+    if (numerator.is_zero()) return Rounded{0, false};
+    const Bounded q = quotient(numerator, denominator);
     // Rounding is monotonic: what both bounds are rounded to, so is the quotient.
-    if (nearest + (left - error) == nearest && nearest + (left + error) == nearest)
-      return Rounded{nearest, std::abs(left) > error};
+    if (q.high_ + (q.low_ - q.error_) == q.high_ && q.high_ + (q.low_ + q.error_) == q.high_)
+      return Rounded{q.high_, std::abs(q.low_) > q.error_};
     return std::nullopt;
+  }
+
+  /// The root of a number that is not negative. For the root s of its first half and the rest r,
+  /// that is s + r / 2s, less r² / 4s³ at most while r is below s² / 4.
+  friend Bounded square_root(const Bounded& number) {
+    const double root = std::sqrt(number.high_);
+    const Bounded rest = number - Bounded(root) * Bounded(root);
+    const double half = rest.high_ / (2 * root), doubt = std::abs(rest.low_) + rest.error_;
+    if (!(std::abs(half) + doubt / root <= root / 16))
+      return within(root, std::numeric_limits<double>::infinity());
+    const double share = (std::abs(half) + doubt / root) / root;
+    const double error =
+        (doubt / root + 2 * share * share * root + 4 * unit * std::abs(half)) * (1 + 16 * unit) +
+        16 * smallest;
+    return normal(root, half, error);
   }
 
  private:

@@ -132,6 +132,21 @@ TEST_F(BoundedNumber, QuotientsAreRoundedToNearestOrRefused) {
   EXPECT_GT(known_inexact, rounded / 2);
 }
 
+TEST_F(BoundedNumber, QuotientsByUncertainNumbersNearTheLeastAreRefused) {
+  // The denominator has an error of 2^-10 of its size, and the product of that with the second
+  // half of the quotient is below all doubles.
+  NumberSamples samples(9);
+  for (int i = 0; i < 1000; ++i) {
+    const double tiny = std::ldexp(samples.full(), -1060), part = std::ldexp(samples.full(), -10);
+    const Bounded uncertain = Bounded(tiny) * Bounded(part);
+    const auto q = nearest_quotient(Bounded(tiny), uncertain);
+    const double expected = nearest_quotient(Dyadic(tiny), Dyadic(tiny) * Dyadic(part));
+    if (q) {
+      EXPECT_EQ(q->value, expected);
+    }
+  }
+}
+
 TEST_F(BoundedNumber, QuotientsInTheMiddleBetweenTwoDoublesAreLeftToExactNumbers) {
   NumberSamples samples(6);
   for (int i = 0; i < 10'000; ++i) {
