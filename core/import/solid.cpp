@@ -1,9 +1,8 @@
 #include "sectile/solid.h"
 
-#include <cmath>
-
 #include "geometry/face_predicates.h"
 #include "geometry/triangulation.h"
+#include "import/measure.h"
 #include "import/shells.h"
 #include "import/soup.h"
 #include "storage/solid_data.h"
@@ -34,73 +33,12 @@ std::uint32_t Solid::origin() const {
   return data_ ? data_->origin : 0;
 }
 
-namespace {
-
-// Sums with the rounding errors carried along.
-class Sum {
- public:
-  void add(double term) {
-    const double next = total_ + term;
-    rest_ += std::abs(total_) >= std::abs(term) ? (total_ - next) + term : (term - next) + total_;
-    total_ = next;
-  }
-  double value() const { return total_ + rest_; }
-
- private:
-  double total_ = 0, rest_ = 0;
-};
-
-Vec3 minus(const Vec3& a, const Vec3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dot(const Vec3& a, const Vec3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-// Calls visit(a, b, c) for the triangles of a fan of each loop, around the loop's first corner.
-template <class Visit>
-void for_each_fan(const SolidData& data, FaceId f, const Visit& visit) {
-  const Brep& brep = data.brep();
-  const auto position = [&](HalfEdgeId h) -> const Vec3& {
-    return data.geometry().position(brep.point_of(brep.from(h)));
-  };
-  for (LoopId l = brep.outer_loop[f.value()]; l.valid(); l = brep.next_loop[l.value()]) {
-    const HalfEdgeId first = brep.loop_half_edge[l.value()];
-    for (HalfEdgeId h = brep.next_of(first); brep.next_of(h) != first; h = brep.next_of(h))
-      visit(position(first), position(h), position(brep.next_of(h)));
-  }
-}
-
-}  // namespace
-
 double Solid::volume() const {
-  if (is_empty()) return 0;
-  Sum sum;
-  const Vec3 origin = data_->geometry().position(data_->brep().point[0]);
-  for (std::size_t f = 0; f < data_->brep().face_count(); ++f)
-    for_each_fan(*data_, FaceId(f), [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-      sum.add(dot(minus(a, origin), cross(minus(b, origin), minus(c, origin))));
-    });
-  return sum.value() / 6;
+  return is_empty() ? 0 : volume_of(*data_);
 }
 
 double Solid::area() const {
-  if (is_empty()) return 0;
-  Sum sum;
-  for (std::size_t f = 0; f < data_->brep().face_count(); ++f) {
-    Sum x, y, z;
-    for_each_fan(*data_, FaceId(f), [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-      const Vec3 n = cross(minus(b, a), minus(c, a));
-      x.add(n.x);
-      y.add(n.y);
-      z.add(n.z);
-    });
-    sum.add(std::hypot(x.value(), y.value(), z.value()));
-  }
-  return sum.value() / 2;
+  return is_empty() ? 0 : area_of(*data_);
 }
 
 SolidCounts Solid::counts() const {

@@ -1,6 +1,7 @@
 #include "numbers/dyadic.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace sectile {
@@ -228,6 +229,29 @@ double nearest_quotient(const Dyadic& numerator, const Dyadic& denominator) {
     up = above == Sign::positive || (above == Sign::zero && (kept & 1u) != 0);
   }
   return assemble(negative, last, kept + up);
+}
+
+// Digit by digit; a digit is a double, the nearest one to what is left, and leaves 2^-52 of it.
+Dyadic quotient(const Dyadic& numerator, const Dyadic& denominator, int bits) {
+  Dyadic sum, rest = numerator;
+  for (int known = 0; known < bits && rest.sign() != Sign::zero; known += 52) {
+    const std::int64_t shift = rest.magnitude() - denominator.magnitude();
+    const Dyadic digit = Dyadic(nearest_quotient(rest.scaled(-shift), denominator)).scaled(shift);
+    sum += digit;
+    rest -= digit * denominator;
+  }
+  return sum;
+}
+
+// For the number m · 2^2e with m from 1 to 4, and the double s nearest to the root of m, the root
+// of m is s + (m - s²) / 2s, less a number below 2^-104.
+Dyadic square_root(const Dyadic& number) {
+  if (number.sign() == Sign::zero) return {};
+  const std::int64_t e = number.magnitude() >> 1;
+  const Dyadic m = number.scaled(-2 * e);
+  const Dyadic s(std::sqrt(m.nearest()));
+  const Dyadic half(nearest_quotient(m - s * s, s + s));
+  return (s + half).scaled(e);
 }
 
 }  // namespace sectile

@@ -29,6 +29,10 @@ class Dyadic {
     return size_ == 0 ? Sign::zero : negative_ ? Sign::negative : Sign::positive;
   }
   double nearest() const;  ///< rounded to nearest, ties to even; infinite on overflow
+  /// The power of two that |this| reaches but not the next one; this is not zero.
+  std::int64_t magnitude() const { return exponent_ + bit_length() - 1; }
+  /// This number times 2^by.
+  Dyadic scaled(std::int64_t by) const { return product(*this, Dyadic(false, by, 1)); }
 
   Dyadic operator-() const {
     Dyadic result(*this);
@@ -92,6 +96,12 @@ class Dyadic {
 
 /// numerator / denominator, correctly rounded. The denominator is not zero.
 double nearest_quotient(const Dyadic& numerator, const Dyadic& denominator);
+
+/// numerator / denominator, off by at most 2^-bits of the quotient. The denominator is not zero.
+Dyadic quotient(const Dyadic& numerator, const Dyadic& denominator, int bits);
+
+/// The root of a number that is not negative, off by at most 2^-100 of the root.
+Dyadic square_root(const Dyadic& number);
 
 /// The exact sign of a[0]·b[0] + … + a[count-1]·b[count-1], for finite doubles of any size.
 Sign sign_of_dot(const double* a, const double* b, int count);

@@ -67,6 +67,7 @@ class Solid {
   PolygonMesh to_mesh(std::vector<FaceSource>& sources) const;
 
   bool is_empty() const;
+  /// Of the exact solid, right to two units in the last place; infinite where doubles end.
   double volume() const;
   double area() const;
   SolidCounts counts() const;

@@ -1,0 +1,54 @@
+// Volume and area of the exact solid, right to two units in the last place.
+//
+// Sums in pairs of doubles with a bound of their error. What these leave open is left to numbers of
+// any length (measure_exactly.cpp).
+#pragma once
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "storage/solid_data.h"
+
+namespace sectile {
+
+/// Of a solid that is not empty.
+double volume_of(const SolidData& solid);
+double area_of(const SolidData& solid);
+
+double exact_volume(const SolidData& solid);
+double exact_area(const SolidData& solid);
+
+/// Calls visit(a, b, c) for the triangles of a fan of each loop, around the loop's first corner.
+/// Those outside the face and those of holes count as negative.
+template <class Visit>
+void for_each_fan(const Brep& brep, FaceId f, const Visit& visit) {
+  const auto at = [&](HalfEdgeId h) { return brep.point_of(brep.from(h)); };
+  for (LoopId l = brep.outer_loop[f.value()]; l.valid(); l = brep.next_loop[l.value()]) {
+    const HalfEdgeId first = brep.loop_half_edge[l.value()];
+    for (HalfEdgeId h = brep.next_of(first), next; (next = brep.next_of(h)) != first; h = next)
+      visit(at(first), at(h), at(next));
+  }
+}
+
+/// The sum of part(from, to) over ranges of faces. The ranges do not depend on the number of
+/// threads, nor does the order of the sum.
+template <class Number, class Part>
+Number sum_over_faces(std::size_t faces, const Part& part) {
+  constexpr std::size_t step = 1024;
+  std::vector<Number> parts((faces + step - 1) / step);
+  const auto fill = [&](std::size_t i) {
+    parts[i] = part(i * step, std::min((i + 1) * step, faces));
+  };
+  if (parts.size() < 4) {
+    for (std::size_t i = 0; i < parts.size(); ++i) fill(i);
+  } else {
+    tbb::parallel_for(std::size_t(0), parts.size(), fill);
+  }
+  Number sum{};
+  for (const Number& p : parts) sum = sum + p;
+  return sum;
+}
+
+}  // namespace sectile
