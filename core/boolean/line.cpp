@@ -15,14 +15,14 @@ Construction edge_plane_construction(const Workspace& w, int s, HalfEdgeId h, Pl
   const auto [a, b] = line_planes(w.patch[s], h);
   Construction how{a, b, plane, PointId(), PointId()};
   const PointId ends[2] = {brep.point_of(brep.from(h)), brep.point_of(brep.to(h))};
-  if (g.is_explicit(ends[0]) && g.is_explicit(ends[1])) {
+  if (!g.is_constructed(ends[0]) && !g.is_constructed(ends[1])) {
     how.line_from = ends[0];
     how.line_to = ends[1];
     return how;
   }
   // A piece of an input edge: an end that was made by cutting it still knows the whole.
   for (const PointId p : ends) {
-    if (g.is_explicit(p)) continue;
+    if (!g.is_constructed(p)) continue;
     const Construction& known = g.construction(p);
     if (!known.line_from.valid()) continue;
     if ((known.a == a && known.b == b) || (known.a == b && known.b == a)) {

@@ -252,7 +252,7 @@ PlaneId pinning_plane(Patch& patch, EdgeId e, Geometry& geometry, const Kernel& 
   if (const PlaneId known = brep.extra_plane(e); known.valid()) return known;
   const HalfEdgeId h = Brep::half_edge(e);
   const PointId from = brep.point_of(brep.from(h)), to = brep.point_of(brep.to(h));
-  if (!geometry.is_explicit(from) || !geometry.is_explicit(to))
+  if (geometry.is_constructed(from) || geometry.is_constructed(to))
     throw InternalError("a flat edge between implicit points has no plane of its own");
   const FaceId face =
       patch.is_real(brep.face_of(h)) ? brep.face_of(h) : brep.face_of(Brep::twin(h));

@@ -40,7 +40,7 @@ Number determinant(const Number (&a)[3], const Number (&b)[3], const Number (&c)
          a[2] * minor(b[0], b[1], c[0], c[1]);
 }
 
-/// ((q - p) × (r - p)) · e_axis
+/// ((q - p) × (r - p)) · e_axis, for explicit points.
 template <class Number>
 Number turn_of(const Vec3& p, const Vec3& q, const Vec3& r, int axis) {
   const int i = next_axis(axis), j = next_next_axis(axis);
@@ -70,30 +70,8 @@ inline int axis_of(PlaneDefinition::Kind kind) {
 }
 
 template <class Number>
-PlaneOf<Number> plane_of(const Geometry& g, PlaneId plane) {
-  using Kind = PlaneDefinition::Kind;
-  const PlaneDefinition& s = g.definition(plane);
-  if (s.kind() == Kind::coefficients) return plane_of<Number>(g.coefficients[s.a]);
-  const Vec3 &a = g.positions[s.a], &b = g.positions[s.b];
-  const auto difference = Number::difference;
-  const Number u[3] = {difference(b.x, a.x), difference(b.y, a.y), difference(b.z, a.z)};
-  PlaneOf<Number> made;
-  if (s.kind() == Kind::three_points) {
-    const Vec3& c = g.positions[s.c];
-    const Number v[3] = {difference(c.x, a.x), difference(c.y, a.y), difference(c.z, a.z)};
-    for (int k = 0; k < 3; ++k) {
-      const int i = next_axis(k), j = next_next_axis(k);
-      made.n[k] = minor(u[i], u[j], v[i], v[j]);
-    }
-  } else {
-    // u × e_axis
-    const int axis = axis_of(s.kind()), i = next_axis(axis), j = next_next_axis(axis);
-    made.n[i] = u[j];
-    made.n[j] = -u[i];
-  }
-  const Number at[3] = {Number(a.x), Number(a.y), Number(a.z)};
-  made.d = -dot(made.n, at);
-  return made;
+PlaneOf<Number> plane_of(const ExactCoefficients& k) {
+  return {{k.n[0].as<Number>(), k.n[1].as<Number>(), k.n[2].as<Number>()}, k.d.as<Number>()};
 }
 
 template <class Number>
@@ -101,12 +79,74 @@ PointOf<Number> point_of(const Vec3& p) {
   return {{Number(p.x), Number(p.y), Number(p.z)}, Number(1.0)};
 }
 
+/// Of a point that is explicit or moved.
+template <class Number>
+PointOf<Number> given_point(const Geometry& g, PointId p) {
+  if (!g.is_moved(p)) return point_of<Number>(g.position(p));
+  const MovedPoint& how = g.moved_point_of(p);
+  PointOf<Number> made;
+  g.frames[how.frame]->map(how.local, made.x);
+  made.w = Number(1.0);
+  return made;
+}
+
+/// to - from, for given points.
+template <class Number>
+void difference(const Geometry& g, PointId from, PointId to, Number (&made)[3]) {
+  if (!g.is_moved(from) && !g.is_moved(to)) {
+    const Vec3 &p = g.position(from), &q = g.position(to);
+    made[0] = Number::difference(q.x, p.x);
+    made[1] = Number::difference(q.y, p.y);
+    made[2] = Number::difference(q.z, p.z);
+    return;
+  }
+  const PointOf<Number> p = given_point<Number>(g, from), q = given_point<Number>(g, to);
+  for (int k = 0; k < 3; ++k) made[k] = q.x[k] - p.x[k];
+}
+
+/// u × v
+template <class Number>
+void cross(const Number (&u)[3], const Number (&v)[3], Number (&made)[3]) {
+  for (int k = 0; k < 3; ++k) {
+    const int i = next_axis(k), j = next_next_axis(k);
+    made[k] = minor(u[i], u[j], v[i], v[j]);
+  }
+}
+
+template <class Number>
+PlaneOf<Number> plane_of(const Geometry& g, PlaneId plane) {
+  using Kind = PlaneDefinition::Kind;
+  const PlaneDefinition& s = g.definition(plane);
+  if (s.kind() == Kind::coefficients) return plane_of<Number>(g.coefficients[s.a]);
+  if (s.kind() == Kind::exact_coefficients) return plane_of<Number>(*g.exact_coefficients[s.a]);
+  Number u[3];
+  difference(g, PointId(s.a), PointId(s.b), u);
+  PlaneOf<Number> made;
+  if (s.kind() == Kind::three_points) {
+    Number v[3];
+    difference(g, PointId(s.a), PointId(s.c), v);
+    cross(u, v, made.n);
+  } else if (s.kind() == Kind::along_direction) {
+    const ExactDirection& along = *g.directions[s.direction()];
+    const Number v[3] = {along.d[0].as<Number>(), along.d[1].as<Number>(), along.d[2].as<Number>()};
+    cross(u, v, made.n);
+  } else {
+    // u × e_axis
+    const int axis = axis_of(s.kind()), i = next_axis(axis), j = next_next_axis(axis);
+    made.n[i] = u[j];
+    made.n[j] = -u[i];
+  }
+  made.d = -dot(made.n, given_point<Number>(g, PointId(s.a)).x);
+  return made;
+}
+
 /// line(u, v) ∩ s: u·w - side(u)·(v - u) with w = n·(v - u).
 template <class Number>
-PointOf<Number> line_plane_point(const Vec3& from, const Vec3& to, const PlaneOf<Number>& s) {
-  const PointOf<Number> u = point_of<Number>(from);
-  const Number along[3] = {Number::difference(to.x, from.x), Number::difference(to.y, from.y),
-                           Number::difference(to.z, from.z)};
+PointOf<Number> line_plane_point(const Geometry& g, PointId from, PointId to,
+                                 const PlaneOf<Number>& s) {
+  const PointOf<Number> u = given_point<Number>(g, from);
+  Number along[3];
+  difference(g, from, to, along);
   const Number w = dot(s.n, along), side = dot(s.n, u.x) + s.d;
   return {
       {u.x[0] * w - side * along[0], u.x[1] * w - side * along[1], u.x[2] * w - side * along[2]},
@@ -133,8 +173,7 @@ PointOf<Number> three_plane_point(const PlaneOf<Number>& a, const PlaneOf<Number
 template <class Number, class PlaneAt>
 PointOf<Number> constructed_point(const Geometry& g, const Construction& how, PlaneAt&& plane_at) {
   if (how.line_from.valid())
-    return line_plane_point<Number>(g.position(how.line_from), g.position(how.line_to),
-                                    plane_at(how.c));
+    return line_plane_point<Number>(g, how.line_from, how.line_to, plane_at(how.c));
   return three_plane_point<Number>(plane_at(how.a), plane_at(how.b), plane_at(how.c));
 }
 

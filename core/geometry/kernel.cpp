@@ -97,8 +97,8 @@ const ExactPlane& Kernel::exact(PlaneId s) const {
 const ExactPoint& Kernel::exact(PointId p) const {
   auto& slot = exact_points_[p.value()];
   if (const ExactPoint* known = slot.load(std::memory_order_acquire)) return *known;
-  return publish(slot, geometry_.is_explicit(p) ? point_of<Dyadic>(geometry_.position(p))
-                                                : exact(geometry_.construction(p)));
+  return publish(slot, geometry_.is_constructed(p) ? exact(geometry_.construction(p))
+                                                   : given_point<Dyadic>(geometry_, p));
 }
 
 ExactPoint Kernel::exact(const Construction& how) const {
@@ -122,7 +122,9 @@ BoundedPoint Kernel::bounded(const Construction& how) const {
 // A line along an axis meets a plane across that axis: nothing has to be computed.
 std::optional<Vec3> Kernel::along_axis(const Construction& how) const {
   const PlaneValue& s = value(how.c);
-  if (!how.line_from.valid() || !s.exact) return std::nullopt;
+  if (!how.line_from.valid() || !s.exact || !geometry_.is_explicit(how.line_from) ||
+      !geometry_.is_explicit(how.line_to))
+    return std::nullopt;
   Vec3 at = geometry_.position(how.line_from);
   const Vec3& to = geometry_.position(how.line_to);
   for (int axis = 0; axis < 3; ++axis) {
@@ -169,28 +171,37 @@ Sign Kernel::side(PointId point, PlaneId plane) const {
 
 namespace {
 
+// Are these given points one for a reason that needs no arithmetic?
+bool clearly_same(const Geometry& geometry, PointId p, PointId q) {
+  if (p == q) return true;
+  if (geometry.is_explicit(p))
+    return geometry.is_explicit(q) && geometry.position(p) == geometry.position(q);
+  return geometry.is_moved(q) && geometry.moved_point_of(p) == geometry.moved_point_of(q);
+}
+
 // Is this one of the points through which the plane is laid?
-bool defines(const Geometry& geometry, const Vec3& p, const PlaneDefinition& plane) {
-  const PlaneDefinition::Kind kind = plane.kind();
-  if (kind == PlaneDefinition::Kind::coefficients) return false;
-  const auto is = [&](std::uint32_t id) { return geometry.position(PointId(id)) == p; };
-  return is(plane.a) || is(plane.b) || (kind == PlaneDefinition::Kind::three_points && is(plane.c));
+bool defines(const Geometry& geometry, PointId p, const PlaneDefinition& plane) {
+  if (!plane.has_points()) return false;
+  const auto is = [&](std::uint32_t id) { return clearly_same(geometry, p, PointId(id)); };
+  return is(plane.a) || is(plane.b) ||
+         (plane.kind() == PlaneDefinition::Kind::three_points && is(plane.c));
 }
 
 }  // namespace
 
 Sign Kernel::exact_side(PointId point, PlaneId plane) const {
   const PlaneValue& s = value(plane);
-  const Vec3& p = geometry_.position(point);
-  if (geometry_.is_explicit(point)) {
-    if (defines(geometry_, p, geometry_.definition(plane))) return Sign::zero;
-    if (s.exact) {
+  if (!geometry_.is_constructed(point)) {
+    if (defines(geometry_, point, geometry_.definition(plane))) return Sign::zero;
+    if (s.exact && geometry_.is_explicit(point)) {
+      const Vec3& p = geometry_.position(point);
       const double a[4] = {s.n[0], s.n[1], s.n[2], s.d}, b[4] = {p.x, p.y, p.z, 1};
       return sign_of_dot(a, b, 4);
     }
-    const Bounded near = value_at(bounded(plane), point_of<Bounded>(p));
+    const Bounded near = value_at(bounded(plane), given_point<Bounded>(geometry_, point));
     if (near.decided()) return near.sign();
-    return value_at(exact(plane), point_of<Dyadic>(p)).sign();
+    if (geometry_.is_moved(point)) return value_at(exact(plane), exact(point)).sign();
+    return value_at(exact(plane), point_of<Dyadic>(geometry_.position(point))).sign();
   }
   const Construction& how = geometry_.construction(point);
   if (how.a == plane || how.b == plane || how.c == plane) return Sign::zero;
@@ -317,8 +328,7 @@ bool Kernel::coplanar(PlaneId a, PlaneId b) const {
   if (!parallel(a, b)) return false;
   for (const auto& [s, t] : {std::pair{a, b}, std::pair{b, a}}) {
     const PlaneDefinition& how = geometry_.definition(t);
-    if (how.kind() != PlaneDefinition::Kind::coefficients)
-      return side(PointId(how.a), s) == Sign::zero;
+    if (how.has_points()) return side(PointId(how.a), s) == Sign::zero;
   }
   const int axis = main_axis(a);
   const ExactPlane &p = exact(a), &q = exact(b);
@@ -338,8 +348,13 @@ Sign Kernel::compare(PointId p, PointId q, int axis) const {
 bool Kernel::same_point(PointId p, PointId q) const {
   if (p == q) return true;
   if (!(geometry_.position(p) == geometry_.position(q))) return false;
-  if (geometry_.is_explicit(p)) {
-    if (geometry_.is_explicit(q)) return true;
+  if (!geometry_.is_constructed(p)) {
+    if (!geometry_.is_constructed(q)) {
+      if (geometry_.is_explicit(p) && geometry_.is_explicit(q)) return true;
+      if (clearly_same(geometry_, p, q)) return true;
+      const ExactPoint &u = exact(p), &v = exact(q);
+      return u.x[0] == v.x[0] && u.x[1] == v.x[1] && u.x[2] == v.x[2];
+    }
     std::swap(p, q);
   }
   const Construction& how = geometry_.construction(p);

@@ -19,32 +19,40 @@ using Corner = std::array<Bounded, 3>;
 // The coordinates of points as far as pairs of doubles know them.
 class Corners {
  public:
-  explicit Corners(const Geometry& geometry)
-      : geometry_(geometry), constructed_(geometry.constructions.size()) {
-    const auto plane = [&](PlaneId s) { return plane_of<Bounded>(geometry, s); };
-    tbb::parallel_for(std::size_t(0), constructed_.size(), [&](std::size_t i) {
-      const BoundedPoint p = constructed_point<Bounded>(geometry, geometry.constructions[i], plane);
-      constructed_[i] = {quotient(p.x[0], p.w), quotient(p.x[1], p.w), quotient(p.x[2], p.w)};
+  explicit Corners(const Geometry& geometry) : geometry_(geometry) {
+    if (geometry.constructions.empty() && geometry.moved.empty()) return;
+    corners_.resize(geometry.positions.size());
+    tbb::parallel_for(std::size_t(0), corners_.size(), [&](std::size_t i) {
+      if (const PointId p(i); !geometry.is_explicit(p)) corners_[i] = corner(p);
     });
   }
 
   bool all_explicit(PointId a, PointId b, PointId c) const {
-    return constructed_.empty() ||
+    return corners_.empty() ||
            (geometry_.is_explicit(a) && geometry_.is_explicit(b) && geometry_.is_explicit(c));
   }
   const Vec3& position(PointId p) const { return geometry_.position(p); }
 
   Corner operator()(PointId p) const {
-    if (!geometry_.is_explicit(p)) return constructed_[geometry_.construct[p.value()]];
+    if (!geometry_.is_explicit(p)) return corners_[p.value()];
     const Vec3& at = position(p);
     return {Bounded(at.x), Bounded(at.y), Bounded(at.z)};
   }
 
  private:
-  using BoundedPoint = PointOf<Bounded>;
+  Corner corner(PointId p) const {
+    if (!geometry_.is_constructed(p)) {
+      PointOf<Bounded> given = given_point<Bounded>(geometry_, p);
+      return {given.x[0], given.x[1], given.x[2]};
+    }
+    const auto plane = [&](PlaneId s) { return plane_of<Bounded>(geometry_, s); };
+    const PointOf<Bounded> made =
+        constructed_point<Bounded>(geometry_, geometry_.construction(p), plane);
+    return {quotient(made.x[0], made.w), quotient(made.x[1], made.w), quotient(made.x[2], made.w)};
+  }
 
   const Geometry& geometry_;
-  std::vector<Corner> constructed_;
+  std::vector<Corner> corners_;  // empty if all points are explicit
 };
 
 // a - b - difference, for difference = a - b rounded.

@@ -31,9 +31,9 @@ class Corners {
   }
 
   Corner operator()(PointId p) const {
-    if (!geometry_.is_explicit(p)) return constructed_[geometry_.construct[p.value()]];
-    const Vec3& at = geometry_.position(p);
-    return {Dyadic(at.x), Dyadic(at.y), Dyadic(at.z)};
+    if (geometry_.is_constructed(p)) return constructed_[geometry_.construct[p.value()]];
+    const ExactPoint at = given_point<Dyadic>(geometry_, p);
+    return {at.x[0], at.x[1], at.x[2]};
   }
 
  private:

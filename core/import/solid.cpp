@@ -5,6 +5,7 @@
 #include "import/measure.h"
 #include "import/shells.h"
 #include "import/soup.h"
+#include "storage/moved_solid.h"
 #include "storage/solid_data.h"
 
 namespace sectile {
@@ -16,6 +17,12 @@ Solid::Solid(Solid&&) noexcept = default;
 Solid& Solid::operator=(const Solid&) = default;
 Solid& Solid::operator=(Solid&&) noexcept = default;
 Solid::Solid(std::shared_ptr<const SolidData> data) : data_(std::move(data)) {}
+Solid::Solid(std::shared_ptr<const MovedSolid> moved)
+    : data_(moved->original()), moved_(std::move(moved)) {}
+
+const std::shared_ptr<const SolidData>& Solid::data() const {
+  return moved_ ? moved_->image() : data_;
+}
 
 Solid Solid::from_mesh(const PolygonMesh& mesh) {
   return from_mesh(mesh, {});
@@ -34,11 +41,11 @@ std::uint32_t Solid::origin() const {
 }
 
 double Solid::volume() const {
-  return is_empty() ? 0 : volume_of(*data_);
+  return is_empty() ? 0 : volume_of(*data());
 }
 
 double Solid::area() const {
-  return is_empty() ? 0 : area_of(*data_);
+  return is_empty() ? 0 : area_of(*data());
 }
 
 SolidCounts Solid::counts() const {
@@ -67,8 +74,8 @@ PolygonMesh Solid::to_mesh(std::vector<FaceSource>& sources) const {
   PolygonMesh mesh;
   sources.clear();
   if (is_empty()) return mesh;
-  const Brep& brep = data_->brep();
-  const Geometry& geometry = data_->geometry();
+  const Brep& brep = data()->brep();
+  const Geometry& geometry = data()->geometry();
   std::vector<std::uint32_t> number(geometry.positions.size(), 0xFFFFFFFFu);
   const auto vertex = [&](PointId p) {
     std::uint32_t& n = number[p.value()];

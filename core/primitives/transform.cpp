@@ -5,8 +5,8 @@
 #include <string>
 
 #include "primitives/arguments.h"
+#include "primitives/checked_frame.h"
 #include "primitives/circle.h"
-#include "primitives/exact_affine.h"
 
 namespace sectile {
 
@@ -38,6 +38,15 @@ void reverse_faces(PolygonMesh& mesh) {
 }
 
 }  // namespace
+
+Frame checked_frame(const Transform& transform) {
+  for (const double m : transform.m)
+    require(std::isfinite(m), "The matrix of a transform must be finite.");
+  Frame frame(transform.m);
+  require(frame.determinant().sign() != Sign::zero,
+          "The matrix of the transform is singular: it would flatten the solid.");
+  return frame;
+}
 
 Transform Transform::translation(const Vec3& by) {
   return {{1, 0, 0, by.x, 0, 1, 0, by.y, 0, 0, 1, by.z}};
@@ -78,7 +87,7 @@ Transform operator*(const Transform& second, const Transform& first) {
 }
 
 PolygonMesh transformed(const PolygonMesh& mesh, const Transform& transform) {
-  const ExactAffine affine(transform);
+  const Frame frame = checked_frame(transform);
   PolygonMesh result = mesh;
   for (Vec3& position : result.positions) {
     const Vec3 image = transform(position);
@@ -86,7 +95,7 @@ PolygonMesh transformed(const PolygonMesh& mesh, const Transform& transform) {
             "The transformed mesh would be too large for double coordinates.");
     position = image;
   }
-  if (affine.mirrors()) reverse_faces(result);
+  if (frame.determinant().sign() == Sign::negative) reverse_faces(result);
   return result;
 }
 

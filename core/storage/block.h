@@ -25,8 +25,20 @@ struct Pieces {
 };
 
 class Block {
+  std::shared_ptr<Brep> shared_brep_;
+
  public:
-  Brep brep;
+  Block() : shared_brep_(std::make_shared<Brep>()), brep(*shared_brep_) {}
+  /// The faces of another block, with other points and planes of the same numbers.
+  Block(const Block& other, Geometry moved)
+      : shared_brep_(other.shared_brep_),
+        brep(*shared_brep_),
+        geometry(std::move(moved)),
+        border_count(other.border_count) {}
+  Block(const Block&) = delete;
+  Block& operator=(const Block&) = delete;
+
+  Brep& brep;  ///< moved blocks share it with those from which they come
   Geometry geometry;
   std::uint32_t border_count = 0;
 

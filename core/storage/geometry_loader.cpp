@@ -1,8 +1,35 @@
 #include "storage/geometry_loader.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace sectile {
+namespace {
+
+constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+template <class Value>
+std::uint32_t shared_in(std::vector<std::shared_ptr<const Value>>& table,
+                        const std::shared_ptr<const Value>& value) {
+  const auto at = std::find(table.begin(), table.end(), value);
+  if (at != table.end()) return static_cast<std::uint32_t>(at - table.begin());
+  table.push_back(value);
+  return static_cast<std::uint32_t>(table.size() - 1);
+}
+
+}  // namespace
+
+std::uint32_t GeometryLoader::frame(std::uint32_t f) {
+  if (frames_.empty()) frames_.assign(from_.frames.size(), none);
+  if (frames_[f] == none) frames_[f] = shared_in(to_.frames, from_.frames[f]);
+  return frames_[f];
+}
+
+std::uint32_t GeometryLoader::direction(std::uint32_t d) {
+  if (directions_.empty()) directions_.assign(from_.directions.size(), none);
+  if (directions_[d] == none) directions_[d] = shared_in(to_.directions, from_.directions[d]);
+  return directions_[d];
+}
 
 PointId GeometryLoader::point(PointId p) {
   if (!p.valid()) return p;
@@ -11,6 +38,9 @@ PointId GeometryLoader::point(PointId p) {
   PointId made;
   if (from_.is_explicit(p)) {
     made = to_.add_point(from_.position(p));
+  } else if (from_.is_moved(p)) {
+    const MovedPoint& how = from_.moved_point_of(p);
+    made = to_.add_point(MovedPoint{how.local, frame(how.frame)}, from_.position(p));
   } else {
     const Construction& how = from_.construction(p);
     const Construction mine{plane(how.a), plane(how.b), plane(how.c), point(how.line_from),
@@ -35,6 +65,12 @@ namespace {
 PlaneCoefficients negated(const PlaneCoefficients& k) {
   return {-k.a, -k.b, -k.c, -k.d};
 }
+std::shared_ptr<const ExactCoefficients> negated(const ExactCoefficients& k) {
+  auto made = std::make_shared<ExactCoefficients>();
+  for (int i = 0; i < 3; ++i) made->n[i] = ExactNumber(-k.n[i].exact());
+  made->d = ExactNumber(-k.d.exact());
+  return made;
+}
 
 // The same plane with the opposite normal, unless it has coefficients.
 void turn(PlaneDefinition& how) {
@@ -52,9 +88,20 @@ PlaneId GeometryLoader::copy(PlaneDefinition how, bool turned) {
     const PlaneCoefficients& k = from_.coefficients[how.a];
     return to_.add_plane(turned ? negated(k) : k);
   }
+  if (how.kind() == Kind::exact_coefficients) {
+    const auto& k = from_.exact_coefficients[how.a];
+    to_.exact_coefficients.push_back(turned ? negated(*k) : k);
+    return to_.add_plane(PlaneDefinition::with_exact_coefficients(
+        static_cast<std::uint32_t>(to_.exact_coefficients.size() - 1)));
+  }
   how.a = point(PointId(how.a)).value();
   how.b = point(PointId(how.b)).value();
-  if (how.kind() == Kind::three_points) how.c = point(PointId(how.c)).value();
+  if (how.kind() == Kind::three_points) {
+    how.c = point(PointId(how.c)).value();
+  } else if (how.kind() == Kind::along_direction) {
+    how = PlaneDefinition::along_direction(PointId(how.a), PointId(how.b),
+                                           direction(how.direction()));
+  }
   if (turned) turn(how);
   return to_.add_plane(how);
 }
@@ -63,21 +110,35 @@ GeometryOffset append_geometry(const Geometry& from, Geometry& to, bool turned) 
   using Kind = PlaneDefinition::Kind;
   const GeometryOffset offset{static_cast<std::uint32_t>(to.positions.size()),
                               static_cast<std::uint32_t>(to.planes.size())};
-  const auto constructions = static_cast<std::uint32_t>(to.constructions.size());
-  const auto coefficients = static_cast<std::uint32_t>(to.coefficients.size());
+  const auto size = [](const auto& table) { return static_cast<std::uint32_t>(table.size()); };
+  const std::uint32_t constructions = size(to.constructions), coefficients = size(to.coefficients),
+                      exact = size(to.exact_coefficients), moved = size(to.moved);
   to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
   for (const PlaneCoefficients& k : from.coefficients)
     to.coefficients.push_back(turned ? negated(k) : k);
+  for (const auto& k : from.exact_coefficients)
+    to.exact_coefficients.push_back(turned ? negated(*k) : k);
+  std::vector<std::uint32_t> frames, directions;
+  for (const auto& f : from.frames) frames.push_back(shared_in(to.frames, f));
+  for (const auto& d : from.directions) directions.push_back(shared_in(to.directions, d));
+  for (const MovedPoint& p : from.moved) to.moved.push_back({p.local, frames[p.frame]});
   for (const std::uint32_t c : from.construct)
-    to.construct.push_back(c == Geometry::explicit_point ? c : c + constructions);
+    to.construct.push_back(c == Geometry::explicit_point ? c
+                           : c < Geometry::moved_point   ? c + constructions
+                                                         : c + moved);
   for (const Construction& c : from.constructions)
     to.constructions.push_back({offset.plane(c.a), offset.plane(c.b), offset.plane(c.c),
                                 offset.point(c.line_from), offset.point(c.line_to)});
   for (PlaneDefinition s : from.planes) {
     if (s.kind() == Kind::coefficients) {
       s.a += coefficients;
+    } else if (s.kind() == Kind::exact_coefficients) {
+      s.a += exact;
     } else {
-      if (s.kind() == Kind::three_points) s.c += offset.points;
+      if (s.kind() == Kind::three_points)
+        s.c += offset.points;
+      else if (s.kind() == Kind::along_direction)
+        s.c = PlaneDefinition::first_direction + directions[s.direction()];
       s.a += offset.points;
       s.b += offset.points;
       if (turned) turn(s);

@@ -19,10 +19,13 @@ class GeometryLoader {
 
  private:
   PlaneId copy(PlaneDefinition how, bool turned);
+  std::uint32_t frame(std::uint32_t f);
+  std::uint32_t direction(std::uint32_t d);
 
   const Geometry& from_;
   Geometry& to_;
-  IdMap points_, planes_[2];  // planes as they are, and turned ones
+  IdMap points_, planes_[2];                        // planes as they are, and turned ones
+  std::vector<std::uint32_t> frames_, directions_;  // empty until the first is asked for
 };
 
 /// What was added to the numbers of points and planes.

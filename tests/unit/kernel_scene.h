@@ -42,14 +42,15 @@ inline double extreme(AnyDouble& any) {
 
 class Scene {
  public:
-  static constexpr std::size_t explicit_points = 18;
+  static constexpr std::size_t given_points = 18;  ///< explicit ones and moved ones
 
   Scene(AnyDouble& any, std::function<double()> coordinate)
       : any_(any), coordinate_(std::move(coordinate)) {
-    for (std::size_t i = 0; i < explicit_points; ++i) add_point();
+    for (std::size_t i = 0; i < given_points; ++i) add_point();
     while (planes.size() < 5) add_plane();
     while (planes.size() < 7) add_plane_along_axis();
     while (planes.size() < 9) add_coefficients();
+    while (planes.size() < 11) add_plane_along_direction();
     for (int i = 0; i < 12; ++i) add_construction();
     kernel = std::make_unique<Kernel>(geometry);
   }
@@ -63,33 +64,56 @@ class Scene {
   std::size_t any_plane() { return any_.below(planes.size()); }
 
  private:
-  std::size_t explicit_point() { return any_.below(explicit_points); }
-  void set_point(std::size_t i) {
-    geometry.positions[i] = {coordinate_(), coordinate_(), coordinate_()};
-    points[i] = vector(geometry.positions[i]);
-  }
+  std::size_t given_point() { return any_.below(given_points); }
   void add_point() {
-    geometry.add_point(Vec3{});
-    points.emplace_back();
-    set_point(points.size() - 1);
+    if (any_.below(3) == 0 && add_moved_point()) return;
+    const Vec3 p{coordinate_(), coordinate_(), coordinate_()};
+    geometry.add_point(p);
+    points.push_back(vector(p));
+  }
+  bool add_moved_point() {
+    std::array<double, 12> m;
+    for (double& entry : m) entry = coordinate_();
+    const Vec3 local{coordinate_(), coordinate_(), coordinate_()};
+    const Vector at = vector(local);
+    Vector image;
+    for (std::size_t k = 0; k < 3; ++k) {
+      image[k] = rational(m[4 * k]) * at[0] + rational(m[4 * k + 1]) * at[1] +
+                 rational(m[4 * k + 2]) * at[2] + rational(m[4 * k + 3]);
+      if (abs(image[k]) > Rational(Integer(1) << 1023u)) return false;
+    }
+    geometry.frames.push_back(std::make_shared<const Frame>(m));
+    geometry.add_point(MovedPoint{local, static_cast<std::uint32_t>(geometry.frames.size() - 1)},
+                       Vec3{nearest(image[0]), nearest(image[1]), nearest(image[2])});
+    points.push_back(image);
+    return true;
   }
   void add_plane() {
-    const std::size_t a = explicit_point(), b = explicit_point(), c = explicit_point();
+    const std::size_t a = given_point(), b = given_point(), c = given_point();
     const Vector n = cross(minus(points[b], points[a]), minus(points[c], points[a]));
-    if (n == Vector{0, 0, 0}) {
-      if (planes.empty()) set_point(a);
-      return;
-    }
+    if (n == Vector{0, 0, 0}) return;
     geometry.add_plane(PlaneDefinition::through(PointId(a), PointId(b), PointId(c)));
     planes.push_back({n, -dot(n, points[a])});
   }
   void add_plane_along_axis() {
-    const std::size_t a = explicit_point(), b = explicit_point(), axis = any_.below(3);
+    const std::size_t a = given_point(), b = given_point(), axis = any_.below(3);
     Vector e{0, 0, 0};
     e[axis] = 1;
     const Vector n = cross(minus(points[b], points[a]), e);
     if (n == Vector{0, 0, 0}) return;
     geometry.add_plane(PlaneDefinition::along_axis(PointId(a), PointId(b), static_cast<int>(axis)));
+    planes.push_back({n, -dot(n, points[a])});
+  }
+  void add_plane_along_direction() {
+    const std::size_t a = given_point(), b = given_point();
+    const Vec3 along{coordinate_(), coordinate_(), coordinate_()};
+    const Vector n = cross(minus(points[b], points[a]), vector(along));
+    if (n == Vector{0, 0, 0}) return;
+    auto direction = std::make_shared<ExactDirection>();
+    for (int k = 0; k < 3; ++k) direction->d[k] = ExactNumber(Dyadic(component(along, k)));
+    geometry.directions.push_back(std::move(direction));
+    geometry.add_plane(PlaneDefinition::along_direction(
+        PointId(a), PointId(b), static_cast<std::uint32_t>(geometry.directions.size() - 1)));
     planes.push_back({n, -dot(n, points[a])});
   }
   void add_coefficients() {

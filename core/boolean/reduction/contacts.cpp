@@ -188,7 +188,7 @@ void make_points(Workspace& w) {
     for (int s = 0; s < 2; ++s) {
       if (!c.on[s].is_vertex()) continue;
       const PointId p = w.patch[s].brep.point_of(c.on[s].vertex());
-      if (!known.valid() || w.geometry.is_explicit(p)) known = p;
+      if (!known.valid() || !w.geometry.is_constructed(p)) known = p;
     }
     c.point = known;
     if (known.valid()) return;

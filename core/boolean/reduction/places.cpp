@@ -29,7 +29,7 @@ void find_places(Workspace& w, std::size_t first_contact) {
     while (place < w.places.size() && !w.tests().same_point(w.places[place], contact.point))
       ++place;
     if (place == w.places.size()) w.places.push_back(contact.point);
-    if (w.geometry.is_explicit(contact.point)) w.places[place] = contact.point;
+    if (!w.geometry.is_constructed(contact.point)) w.places[place] = contact.point;
     contact.place = static_cast<std::uint32_t>(place);
   }
   // Vertices at one place share one point from now on.

@@ -13,6 +13,7 @@
 namespace sectile {
 
 class SolidData;  // topology, geometry and search tree; internal
+class MovedSolid;
 
 /// Where a face comes from: `solid` is the number given to a mesh when it was imported (see
 /// Solid::origin), `face` the face of that mesh. Kept through any cascade of operations.
@@ -79,11 +80,14 @@ class Solid {
   /// The same point set.
   friend bool operator==(const Solid&, const Solid&);
 
-  explicit Solid(std::shared_ptr<const SolidData> data);                  // internal
-  const std::shared_ptr<const SolidData>& data() const { return data_; }  // internal
+  explicit Solid(std::shared_ptr<const SolidData> data);    // internal
+  explicit Solid(std::shared_ptr<const MovedSolid> moved);  // internal
+  const std::shared_ptr<const SolidData>& data() const;     // internal
+  const MovedSolid* moved() const { return moved_.get(); }  // internal
 
  private:
-  std::shared_ptr<const SolidData> data_;
+  std::shared_ptr<const SolidData> data_;  // of a moved solid: the original
+  std::shared_ptr<const MovedSolid> moved_;
 };
 
 }  // namespace sectile

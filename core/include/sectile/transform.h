@@ -1,4 +1,4 @@
-// Moving solids: affine maps applied to the input coordinates.
+// Moving solids: affine maps, exact for solids and rounded for meshes.
 #pragma once
 
 #include <array>
@@ -27,11 +27,12 @@ struct Transform {
 /// image is too large for doubles.
 PolygonMesh transformed(const PolygonMesh& mesh, const Transform& transform);
 
-/// The same for a solid. If the doubles hold the images of all its explicit points exactly (say,
-/// translations and right angles on a grid, scaling by powers of two), nothing is rounded and the
-/// image is exact, implicit points included. Otherwise every vertex is rounded once and the faces
-/// are imported again: those that this makes non-planar are split into triangles. In both cases the
-/// faces keep their FaceSource and the solid its origin().
+/// The exact image of a solid: nothing is rounded, no face is added, and it always succeeds. Moves
+/// one after the other are multiplied exactly, so that a move back is the solid; solids that were
+/// flush stay so if they are moved alike. Takes next to no time: points are computed when they are
+/// first asked for. The faces keep their FaceSource and the solid its origin(). Its numbers grow
+/// with each move that doubles cannot follow; Booleans of moved solids take a little longer than
+/// those of solids with coordinates in doubles, which the mesh's transform gives.
 Solid transformed(const Solid& solid, const Transform& transform);
 
 }  // namespace sectile
