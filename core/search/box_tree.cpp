@@ -87,4 +87,25 @@ void BoxTree::build_groups(const std::vector<std::uint32_t>& group) {
   }
 }
 
+std::vector<BoxTree::SelfPart> BoxTree::self_parts(std::size_t least) const {
+  std::vector<SelfPart> parts;
+  if (empty()) return parts;
+  parts.push_back(SelfPart(root(), root()));
+  for (std::uint32_t level = root().level; level > 0 && parts.size() < least; --level) {
+    std::vector<SelfPart> finer;
+    for (const SelfPart& part : parts)
+      for (std::uint32_t i = 0; i < 2; ++i) {
+        const bool same = part.p.index == part.q.index;
+        if (i == 1 && !has_second_child(part.p)) continue;
+        for (std::uint32_t j = same ? i : 0; j < 2; ++j) {
+          if (j == 1 && !has_second_child(part.q)) continue;
+          const Node p = child(part.p, i), q = child(part.q, j);
+          if (box(p).overlaps(box(q))) finer.push_back(SelfPart(p, q));
+        }
+      }
+    parts = std::move(finer);
+  }
+  return parts;
+}
+
 }  // namespace sectile

@@ -45,6 +45,22 @@ class BoxTree {
   struct Node {
     std::uint32_t level, index;
   };
+
+ public:
+  /// A part of all pairs of a tree's own items: those of two nodes, or of one node.
+  class SelfPart {
+    friend class BoxTree;
+    SelfPart(Node first, Node second) : p(first), q(second) {}
+    Node p, q;
+  };
+  /// Divides the pairs into parts that can be visited side by side: `least` of them, if there are
+  /// as many nodes.
+  std::vector<SelfPart> self_parts(std::size_t least) const;
+  /// Calls visit(item, other item) once for every pair of overlapping boxes in a part.
+  template <class Visit>
+  void self_overlaps(const SelfPart& part, Visit&& visit) const;
+
+ private:
   Node root() const { return {static_cast<std::uint32_t>(levels_.size() - 1), 0}; }
   const Box& box(Node n) const { return levels_[n.level][n.index]; }
   bool has_second_child(Node n) const {
@@ -88,6 +104,28 @@ class BoxTree {
   std::vector<std::uint32_t> item_groups_;
   std::vector<std::vector<std::uint32_t>> group_levels_;
 };
+
+template <class Visit>
+void BoxTree::self_overlaps(const SelfPart& part, Visit&& visit) const {
+  const auto [p, q] = std::pair(part.p, part.q);
+  if (p.level != q.level || p.index != q.index) {
+    overlaps(*this, p, *this, q, visit, [](std::uint32_t, std::uint32_t) { return false; });
+    return;
+  }
+  if (p.level > 0) {
+    const Node first = child(p, 0);
+    self_overlaps(SelfPart(first, first), visit);
+    if (!has_second_child(p)) return;
+    const Node second = child(p, 1);
+    self_overlaps(SelfPart(second, second), visit);
+    self_overlaps(SelfPart(first, second), visit);
+    return;
+  }
+  const auto [from, to] = range(p.index);
+  for (std::uint32_t i = from; i < to; ++i)
+    for (std::uint32_t j = i + 1; j < to; ++j)
+      if (item_boxes_[i].overlaps(item_boxes_[j])) visit(items_[i], items_[j]);
+}
 
 template <class Visit, class Skip>
 void BoxTree::overlaps(const BoxTree& a, Node p, const BoxTree& b, Node q, Visit& visit,

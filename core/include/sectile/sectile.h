@@ -1,6 +1,7 @@
 // Sectile: exact Boolean operations on polyhedral solids. This header brings all the others.
 #pragma once
 
+#include "sectile/arrangement.h"
 #include "sectile/boolean.h"
 #include "sectile/errors.h"
 #include "sectile/files.h"

@@ -1,0 +1,184 @@
+#include "arrangement/pairs.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <array>
+#include <optional>
+
+#include "boolean/collect.h"
+
+namespace sectile::arrangement {
+namespace {
+
+// Faces with more corners are not looked through for each partner.
+constexpr std::uint32_t many = 16;
+
+class PairTest {
+ public:
+  PairTest(const Facets& facets, const std::vector<std::uint8_t>& convex, const Kernel& kernel)
+      : facets_(facets), convex_(convex), kernel_(kernel) {}
+
+  /// Nothing if the faces meet in common corners and edges only, or not at all.
+  std::optional<Meeting> operator()(std::uint32_t f, std::uint32_t g) const {
+    const bool small = facets_.size(f) <= many && facets_.size(g) <= many;
+    if (!small) return large(f, g);
+    Corners in_f, in_g;
+    find_common(f, g, in_f, in_g);
+    bool coplanar = true;
+    for (const auto& [face, other, common] : {std::tuple(f, g, &in_f), std::tuple(g, f, &in_g)}) {
+      const Sides sides = sides_of(face, other, *common);
+      if (sides.positive + sides.negative == 0) continue;
+      coplanar = false;
+      if (sides.positive != 0 && sides.negative != 0) continue;
+      if (sides.zero == 0 && only_common(face, *common, other)) return {};
+    }
+    if (coplanar) return in_one_plane(f, g, in_f, in_g);
+    return Meeting::crossing;
+  }
+
+ private:
+  struct Corners {
+    std::array<bool, many> common{};
+    std::uint32_t count = 0;
+  };
+  struct Sides {
+    int positive = 0, negative = 0, zero = 0;  ///< of the corners that are not common ones
+  };
+
+  void find_common(std::uint32_t f, std::uint32_t g, Corners& in_f, Corners& in_g) const {
+    const std::uint32_t first_f = facets_.begin(f), first_g = facets_.begin(g);
+    const std::uint32_t size_f = facets_.size(f), size_g = facets_.size(g);
+    for (std::uint32_t i = 0; i < size_f; ++i)
+      for (std::uint32_t j = 0; j < size_g; ++j)
+        if (facets_.from(first_f + i) == facets_.from(first_g + j))
+          in_f.common[i] = in_g.common[j] = true;
+    for (std::uint32_t i = 0; i < size_f; ++i) in_f.count += in_f.common[i];
+    for (std::uint32_t j = 0; j < size_g; ++j) in_g.count += in_g.common[j];
+  }
+
+  Sides sides_of(std::uint32_t face, std::uint32_t other, const Corners& common) const {
+    Sides sides;
+    const PlaneId plane = facets_.plane[other];
+    for (std::uint32_t i = 0, c = facets_.begin(face); c < facets_.end(face); ++i, ++c) {
+      if (common.common[i]) continue;
+      const Sign s = kernel_.side(facets_.from(c), plane);
+      ++(s == Sign::zero ? sides.zero : s == Sign::positive ? sides.positive : sides.negative);
+    }
+    return sides;
+  }
+
+  // All other corners lie strictly on one side: the face has common corners on the other's plane,
+  // and what edges it has between them.
+  bool only_common(std::uint32_t face, const Corners& common, std::uint32_t other) const {
+    if (common.count < 2) return true;
+    if (common.count == 2 && facets_.size(face) == 3 && facets_.size(other) == 3) return true;
+    for (std::uint32_t i = 0, c = facets_.begin(face); c < facets_.end(face); ++i, ++c) {
+      if (!common.common[i]) continue;
+      if (!common.common[facets_.next[c] - facets_.begin(face)]) continue;
+      if (!has_edge(other, facets_.from(c), facets_.to(c))) return false;
+    }
+    return true;
+  }
+  bool has_edge(std::uint32_t face, PointId p, PointId q) const {
+    for (std::uint32_t c = facets_.begin(face); c < facets_.end(face); ++c) {
+      const PointId u = facets_.from(c), v = facets_.to(c);
+      if ((u == p && v == q) || (u == q && v == p)) return true;
+    }
+    return false;
+  }
+
+  std::optional<Meeting> in_one_plane(std::uint32_t f, std::uint32_t g, const Corners& in_f,
+                                      const Corners& in_g) const {
+    if (!convex_[f] || !convex_[g]) return Meeting::overlapping;
+    bool on_line = false;
+    if (!separates(f, g, on_line) && !separates(g, f, on_line)) return Meeting::overlapping;
+    // Do both have nothing but common corners on the line?
+    if (!on_line && in_f.count <= 2 && in_g.count <= 2) return {};
+    return Meeting::touching;
+  }
+
+  /// Does the line of an edge of f have all of g on its outer side? `on_line`: are corners of one
+  /// on the line that are not the ends of the edge?
+  bool separates(std::uint32_t f, std::uint32_t g, bool& on_line) const {
+    const int axis = kernel_.main_axis(facets_.plane[f]);
+    const Sign inner = kernel_.normal(facets_.plane[f], axis);
+    for (std::uint32_t c = facets_.begin(f); c < facets_.end(f); ++c) {
+      const PointId u = facets_.from(c), v = facets_.to(c);
+      bool outside = true;
+      std::uint32_t others = 0;
+      for (std::uint32_t d = facets_.begin(g); d < facets_.end(g) && outside; ++d) {
+        const PointId w = facets_.from(d);
+        if (w == u || w == v) continue;
+        const Sign s = kernel_.turn(u, v, w, axis) * inner;
+        if (s == Sign::positive) outside = false;
+        if (s == Sign::zero) ++others;
+      }
+      if (!outside) continue;
+      // With corners of 180°, a corner of f may be the one that lies within an edge of g.
+      on_line = others > 0 || facets_.size(f) > 3;
+      return true;
+    }
+    return false;
+  }
+
+  std::optional<Meeting> large(std::uint32_t f, std::uint32_t g) const {
+    if (kernel_.coplanar(facets_.plane[f], facets_.plane[g])) return Meeting::overlapping;
+    for (const auto& [face, other] : {std::pair(f, g), std::pair(g, f)}) {
+      if (facets_.size(face) > many) continue;
+      const Sides sides = sides_of(face, other, Corners());
+      if (sides.zero == 0 && (sides.positive == 0 || sides.negative == 0)) return {};
+    }
+    return Meeting::crossing;
+  }
+
+  const Facets& facets_;
+  const std::vector<std::uint8_t>& convex_;
+  const Kernel& kernel_;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> find_convex(const Facets& facets, const Kernel& kernel) {
+  std::vector<std::uint8_t> convex(facets.face_count(), 1);
+  const auto turns_right = [&](std::size_t f) {
+    const int axis = kernel.main_axis(facets.plane[f]);
+    const Sign right = -kernel.normal(facets.plane[f], axis);
+    for (std::uint32_t c = facets.begin(f); c < facets.end(f); ++c) {
+      const std::uint32_t d = facets.next[c];
+      if (kernel.turn(facets.from(c), facets.from(d), facets.to(d), axis) == right) return true;
+    }
+    return false;
+  };
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, convex.size(), 1024), [&](const auto& range) {
+        for (std::size_t f = range.begin(); f < range.end(); ++f) {
+          if (facets.polygons.is_triangle(f)) continue;
+          convex[f] =
+              facets.polygons.face_end[f] == facets.polygons.first_loop(f) + 1 && !turns_right(f);
+        }
+      });
+  return convex;
+}
+
+std::vector<FacePair> find_pairs(const Facets& facets, const BoxTree& tree,
+                                 const std::vector<std::uint8_t>& convex, const Kernel& kernel,
+                                 const Steering& steering) {
+  const PairTest test(facets, convex, kernel);
+  const auto parts = tree.self_parts(512);
+  using Found = std::vector<FacePair>;
+  std::vector<FacePair> pairs;
+  for (const Found& found : collect<Found>(parts.size(), 1, [&](std::size_t i, Found&out) {
+         steering.check();
+         tree.self_overlaps(parts[i], [&](std::uint32_t f, std::uint32_t g) {
+           if (f > g) std::swap(f, g);
+           if (const auto how = test(f, g)) out.push_back({f, g, *how});
+         });
+       }))
+    append(pairs, found);
+  tbb::parallel_sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace sectile::arrangement

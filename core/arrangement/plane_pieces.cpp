@@ -1,0 +1,178 @@
+#include "arrangement/plane_pieces.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "search/box_tree.h"
+
+namespace sectile::arrangement {
+
+PlanePieces::PlanePieces(const Facets& facets, const EdgeLines& lines, const Traces& traces,
+                         std::span<const std::uint32_t> faces)
+    : plane_(facets.plane[faces[0]]) {
+  std::vector<PointId> ends;
+  for (const std::uint32_t f : faces) {
+    for (std::uint32_t c = facets.begin(f); c < facets.end(f); ++c) {
+      pieces_.push_back({facets.from(c), facets.to(c), lines.across(c), c});
+      ends.push_back(facets.from(c));
+    }
+    for (const Trace& t : traces.of(f)) {
+      pieces_.push_back({t.from, t.to, t.across, none});
+      ends.insert(ends.end(), {t.from, t.to});
+    }
+  }
+  // Several partners may leave the same trace.
+  const std::size_t borders = static_cast<std::size_t>(
+      std::stable_partition(pieces_.begin(), pieces_.end(),
+                            [](const Piece& p) { return p.corner != none; }) -
+      pieces_.begin());
+  for (std::size_t i = borders; i < pieces_.size(); ++i)
+    if (pieces_[i].to < pieces_[i].from) std::swap(pieces_[i].from, pieces_[i].to);
+  const auto first_trace = pieces_.begin() + static_cast<std::ptrdiff_t>(borders);
+  std::sort(first_trace, pieces_.end(), [](const Piece& a, const Piece& b) {
+    return std::tie(a.from, a.to, a.across) < std::tie(b.from, b.to, b.across);
+  });
+  pieces_.erase(
+      std::unique(first_trace, pieces_.end(),
+                  [](const Piece& a, const Piece& b) { return a.from == b.from && a.to == b.to; }),
+      pieces_.end());
+  std::sort(ends.begin(), ends.end());
+  std::vector<PointId> points;
+  for (const std::uint32_t f : faces)
+    for (const PointId p : traces.points_of(f))
+      if (!std::binary_search(ends.begin(), ends.end(), p)) points.push_back(p);
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  for (const PointId p : points) pieces_.push_back({p, p, PlaneId(), none});
+}
+
+bool PlanePieces::is_within(const Kernel& kernel, PointId p, const Piece& piece) const {
+  for (int axis = 0; axis < 3; ++axis)
+    if (const Sign s = kernel.compare(piece.from, piece.to, axis); s != Sign::zero)
+      return kernel.compare(piece.from, p, axis) == s && kernel.compare(p, piece.to, axis) == s;
+  return false;
+}
+
+void PlanePieces::test(const Kernel& kernel, const EdgeLines& lines, std::uint32_t i,
+                       std::uint32_t j) {
+  const Piece &a = pieces_[i], &b = pieces_[j];
+  const auto side = [&](PointId p, const Piece& line) {
+    if (p == line.from || p == line.to) return Sign::zero;
+    return kernel.side(p, line.across);
+  };
+  const bool has_length_a = a.across.valid(), has_length_b = b.across.valid();
+  if (!has_length_a && !has_length_b) return;
+  Sign a_from = Sign::zero, a_to = Sign::zero, b_from = Sign::zero, b_to = Sign::zero;
+  if (has_length_b) {
+    a_from = side(a.from, b);
+    a_to = has_length_a ? side(a.to, b) : a_from;
+    if (a_from == a_to && a_from != Sign::zero) return;
+  }
+  if (has_length_a) {
+    b_from = side(b.from, a);
+    b_to = has_length_b ? side(b.to, a) : b_from;
+    if (b_from == b_to && b_from != Sign::zero) return;
+  }
+  if (a_from * a_to == Sign::negative && b_from * b_to == Sign::negative) {
+    const auto made = static_cast<std::uint32_t>(constructions_.size());
+    if (a.corner != none)
+      constructions_.push_back(lines.cut(a.corner, b.across));
+    else if (b.corner != none)
+      constructions_.push_back(lines.cut(b.corner, a.across));
+    else
+      constructions_.push_back({plane_, a.across, b.across, PointId(), PointId()});
+    incidences_.push_back({i, PointId(), made});
+    incidences_.push_back({j, PointId(), made});
+    return;
+  }
+  const auto add = [&](PointId p, Sign at, std::uint32_t number, const Piece& piece) {
+    if (at != Sign::zero || !piece.across.valid() || p == piece.from || p == piece.to) return;
+    if (is_within(kernel, p, piece)) incidences_.push_back({number, p, none});
+  };
+  add(a.from, a_from, j, b);
+  if (has_length_a) add(a.to, a_to, j, b);
+  add(b.from, b_from, i, a);
+  if (has_length_b) add(b.to, b_to, i, a);
+}
+
+void PlanePieces::find_crossings(const Kernel& kernel, const EdgeLines& lines) {
+  const Geometry& g = kernel.geometry();
+  std::vector<Box> boxes;
+  boxes.reserve(pieces_.size());
+  for (const Piece& piece : pieces_) {
+    Bounds bounds;
+    bounds.add(g.position(piece.from));
+    bounds.add(g.position(piece.to));
+    boxes.push_back(bounds.box());
+  }
+  const auto count = static_cast<std::uint32_t>(pieces_.size());
+  constexpr std::uint32_t few = 24;
+  if (count <= few) {
+    for (std::uint32_t i = 0; i < count; ++i)
+      for (std::uint32_t j = i + 1; j < count; ++j)
+        if (boxes[i].overlaps(boxes[j])) test(kernel, lines, i, j);
+    return;
+  }
+  const BoxTree tree(boxes);
+  for (const auto& part : tree.self_parts(1))
+    tree.self_overlaps(part, [&](std::uint32_t i, std::uint32_t j) { test(kernel, lines, i, j); });
+}
+
+void PlanePieces::divide(const Kernel& kernel, std::span<const PointId> made,
+                         std::span<const PointId> first_at, const Facets& facets) {
+  for (Incidence& i : incidences_) {
+    if (i.made != none) i.point = made[i.made];
+    i.point = first_at[i.point.value()];
+  }
+  std::sort(incidences_.begin(), incidences_.end(), [](const Incidence& a, const Incidence& b) {
+    return std::tie(a.piece, a.point) < std::tie(b.piece, b.point);
+  });
+  struct Part {
+    PointId low, high;
+    PlaneId across;
+    std::uint32_t corner;
+    bool forward;
+  };
+  std::vector<Part> parts;
+  std::vector<PointId> stops;
+  for (std::uint32_t i = 0, next = 0; i < pieces_.size(); ++i) {
+    const Piece& piece = pieces_[i];
+    if (!piece.across.valid()) continue;
+    stops.assign(1, piece.from);
+    while (next < incidences_.size() && incidences_[next].piece < i) ++next;
+    for (; next < incidences_.size() && incidences_[next].piece == i; ++next) {
+      const PointId p = incidences_[next].point;
+      if (p != piece.from && p != piece.to && (stops.size() == 1 || p != stops.back()))
+        stops.push_back(p);
+    }
+    if (stops.size() > 2) {
+      int axis = 0;
+      Sign up;
+      while ((up = kernel.compare(piece.from, piece.to, axis)) == Sign::zero) ++axis;
+      std::sort(stops.begin() + 1, stops.end(),
+                [&](PointId p, PointId q) { return kernel.compare(p, q, axis) == up; });
+    }
+    stops.push_back(piece.to);
+    for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
+      const bool forward = stops[k] < stops[k + 1];
+      parts.push_back({std::min(stops[k], stops[k + 1]), std::max(stops[k], stops[k + 1]),
+                       piece.across, piece.corner, forward});
+    }
+  }
+  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+    return std::tie(a.low, a.high, a.corner, a.across) <
+           std::tie(b.low, b.high, b.corner, b.across);
+  });
+  for (std::size_t from = 0, to; from < parts.size(); from = to) {
+    PlaneEdge edge{parts[from].low, parts[from].high, parts[from].across,
+                   static_cast<std::uint32_t>(borders_.size()), 0};
+    for (to = from; to < parts.size() && parts[to].low == edge.low && parts[to].high == edge.high;
+         ++to)
+      if (parts[to].corner != none)
+        borders_.push_back({facets.face_of[parts[to].corner], parts[to].forward});
+    edge.border_end = static_cast<std::uint32_t>(borders_.size());
+    edges_.push_back(edge);
+  }
+}
+
+}  // namespace sectile::arrangement

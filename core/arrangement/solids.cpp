@@ -1,0 +1,196 @@
+#include "arrangement/solids.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "boolean/cleanup.h"
+#include "boolean/geometry_copy.h"
+#include "import/brep_builder.h"
+#include "sectile/errors.h"
+
+namespace sectile::arrangement {
+namespace {
+
+class Builder {
+ public:
+  Builder(const SubFaces& faces, const Cells& cells, const Facets& facets, const Geometry& geometry,
+          const Kernel& kernel, const std::vector<std::uint8_t>& in_solid, Merging merging)
+      : faces_(faces),
+        cells_(cells),
+        facets_(facets),
+        kernel_(kernel),
+        in_solid_(in_solid),
+        merging_(merging),
+        glued_{std::make_shared<SolidData>(), {}},
+        copy_(geometry, glued_.data->geometry()),
+        made_(faces.polygons.corners.size(), none) {}
+
+  std::shared_ptr<SolidData> run() {
+    add_faces();
+    if (result_.face_count() == 0) return std::make_shared<SolidData>();
+    pair_half_edges();
+    Brep& brep = glued_.data->brep();
+    build_brep(result_, mate_, brep);
+    for (std::size_t f = 0; f < brep.face_count(); ++f) {
+      brep.plane[f] = plane_[f];
+      brep.source[f] = source_[f];
+    }
+    find_seams();
+    clean_up(glued_);
+    return std::move(glued_.data);
+  }
+
+ private:
+  bool in(std::uint32_t cell) const { return in_solid_[cell] != 0; }
+  bool is_kept(std::uint32_t f) const { return in(cells_.before[f]) != in(cells_.behind[f]); }
+  /// Material lies where the normal points to.
+  bool is_turned(std::uint32_t f) const { return in(cells_.before[f]); }
+
+  void add_faces() {
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+      if (!is_kept(f)) continue;
+      const bool turned = is_turned(f);
+      const Polygons& from = faces_.polygons;
+      for (std::uint32_t l = from.first_loop(f); l < from.face_end[f]; ++l) {
+        const std::uint32_t begin = from.loop_begin(l), end = from.loop_end[l], size = end - begin;
+        const auto first = static_cast<std::uint32_t>(result_.corners.size());
+        for (std::uint32_t k = 0; k < size; ++k) {
+          // Turned, the half-edge from i to i + 1 leaves i + 1.
+          const std::uint32_t leaves = turned ? begin + (size - k) % size : begin + k;
+          const std::uint32_t old = turned ? begin + (size - k - 1) : leaves;
+          result_.corners.push_back(copy_.point(from.corners[leaves]));
+          made_[old] = first + k;
+          old_.push_back(old);
+        }
+        result_.loop_end.push_back(static_cast<std::uint32_t>(result_.corners.size()));
+      }
+      choose_plane(f, turned);
+    }
+  }
+
+  // The lowest of the faces that look outwards, if there is one.
+  void choose_plane(std::uint32_t f, bool turned) {
+    const auto cover = faces_.cover_of(f);
+    std::uint32_t chosen = cover[0];
+    bool back = turned == kernel_.same_direction(faces_.plane[f], facets_.plane[chosen]);
+    for (const std::uint32_t g : cover) {
+      if (turned == kernel_.same_direction(faces_.plane[f], facets_.plane[g])) continue;
+      chosen = g;
+      back = false;
+      break;
+    }
+    plane_.push_back(back ? copy_.turned(facets_.plane[chosen])
+                          : copy_.plane(facets_.plane[chosen]));
+    source_.push_back(facets_.source[chosen]);
+    result_.end_face(f);
+  }
+
+  void pair_half_edges() {
+    mate_.assign(result_.corners.size(), none);
+    for (std::uint32_t c = 0; c < made_.size(); ++c)
+      if (made_[c] != none && cells_.mate[c] != none) {
+        if (made_[cells_.mate[c]] == none)
+          throw InternalError("one of two neighbouring parts is kept, the other is not");
+        mate_[made_[c]] = made_[cells_.mate[c]];
+      }
+    for (const EdgeFan& fan : cells_.fans) pair_wedges(cells_.of(fan));
+    for (const std::uint32_t m : mate_)
+      if (m == none) throw InternalError("an edge of the result has only one face");
+  }
+
+  // Each pair bounds one wedge of material.
+  void pair_wedges(std::span<const EdgeFan::Side> sides) {
+    kept_.clear();
+    for (const EdgeFan::Side& s : sides)
+      if (made_[s.corner] != none) kept_.push_back(s);
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      if (!in(cell_after(kept_[i]))) continue;
+      const EdgeFan::Side& next = kept_[i + 1 < kept_.size() ? i + 1 : 0];
+      if (!in(cell_before(next)))
+        throw InternalError("the material around an edge does not alternate");
+      const std::uint32_t a = made_[kept_[i].corner], b = made_[next.corner];
+      mate_[a] = b;
+      mate_[b] = a;
+    }
+  }
+  std::uint32_t cell_after(const EdgeFan::Side& s) const {
+    const std::uint32_t f = cells_.face_of[s.corner];
+    return s.forward ? cells_.before[f] : cells_.behind[f];
+  }
+  std::uint32_t cell_before(const EdgeFan::Side& s) const {
+    const std::uint32_t f = cells_.face_of[s.corner];
+    return s.forward ? cells_.behind[f] : cells_.before[f];
+  }
+
+  // Edges between coplanar faces need a plane that pins them down. What division has made may go.
+  void find_seams() {
+    const Brep& brep = glued_.data->brep();
+    std::vector<std::uint32_t> corner_of(brep.edge_count(), none);
+    std::vector<std::uint8_t> flat(brep.edge_count(), 0);
+    // build_brep numbers edges by their first corner.
+    std::uint32_t edge = 0;
+    for (std::uint32_t c = 0; c < mate_.size(); ++c)
+      if (c < mate_[c]) corner_of[edge++] = c;
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, flat.size(), 2048), [&](const auto& range) {
+          for (std::size_t e = range.begin(); e < range.end(); ++e) {
+            const std::uint32_t c = corner_of[e];
+            flat[e] = kernel_.parallel(faces_.plane[face(c)], faces_.plane[face(mate_[c])]);
+          }
+        });
+    for (std::size_t e = 0; e < flat.size(); ++e) {
+      const std::uint32_t c = corner_of[e];
+      if (flat[e]) pin(EdgeId(e), c);
+      if ((faces_.divided[face(c)] || faces_.divided[face(mate_[c])]) && may_go(c))
+        glued_.seams.push_back(EdgeId(e));
+    }
+  }
+  std::uint32_t face(std::uint32_t corner) const { return cells_.face_of[old_[corner]]; }
+
+  bool may_go(std::uint32_t corner) const {
+    return merging_ == Merging::all || cells_.mate[old_[corner]] != none;
+  }
+
+  void pin(EdgeId e, std::uint32_t corner) {
+    Brep& brep = glued_.data->brep();
+    if (brep.edge_plane.empty()) brep.edge_plane.resize(brep.edge_count());
+    PlaneId& plane = brep.edge_plane[e.value()];
+    for (const std::uint32_t c : {corner, mate_[corner]})
+      if (faces_.across[old_[c]].valid() && !plane.valid() &&
+          !kernel_.parallel(faces_.across[old_[c]], faces_.plane[face(c)]))
+        plane = copy_.plane(faces_.across[old_[c]]);
+    if (plane.valid()) return;
+    Geometry& g = glued_.data->geometry();
+    const PointId from = result_.corners[corner], to = result_.corners[mate_[corner]];
+    if (!g.is_explicit(from) || !g.is_explicit(to))
+      throw InternalError("nothing pins down an edge between flat faces");
+    plane = g.add_plane(
+        PlaneDefinition::along_axis(from, to, kernel_.main_axis(faces_.plane[face(corner)])));
+  }
+
+  const SubFaces& faces_;
+  const Cells& cells_;
+  const Facets& facets_;
+  const Kernel& kernel_;
+  const std::vector<std::uint8_t>& in_solid_;
+  Merging merging_;
+  Glued glued_;
+  GeometryCopy copy_;
+  Polygons result_;
+  std::vector<PlaneId> plane_;
+  std::vector<FaceSource> source_;
+  std::vector<std::uint32_t> made_;  // per corner of the sub-faces: the result's
+  std::vector<std::uint32_t> old_;   // per corner of the result: the sub-faces'
+  std::vector<std::uint32_t> mate_;  // per corner of the result
+  std::vector<EdgeFan::Side> kept_;
+};
+
+}  // namespace
+
+std::shared_ptr<SolidData> solid_of(const SubFaces& faces, const Cells& cells, const Facets& facets,
+                                    const Geometry& geometry, const Kernel& kernel,
+                                    const std::vector<std::uint8_t>& in_solid, Merging merging) {
+  return Builder(faces, cells, facets, geometry, kernel, in_solid, merging).run();
+}
+
+}  // namespace sectile::arrangement

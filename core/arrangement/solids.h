@@ -1,0 +1,22 @@
+// Solids from the cells of an arrangement.
+#pragma once
+
+#include <memory>
+
+#include "arrangement/cells.h"
+
+namespace sectile::arrangement {
+
+/// Which edges between parts of one face, and corners on straight edges, may go.
+enum class Merging {
+  all,    ///< all that the result does not need
+  shared  ///< those that no cell needs, so that cells that touch have the same faces there
+};
+
+/// The solid of all cells that are marked, or the empty solid. Faces have the plane and the source
+/// of the lowest face that lies there.
+std::shared_ptr<SolidData> solid_of(const SubFaces& faces, const Cells& cells, const Facets& facets,
+                                    const Geometry& geometry, const Kernel& kernel,
+                                    const std::vector<std::uint8_t>& in_solid, Merging merging);
+
+}  // namespace sectile::arrangement

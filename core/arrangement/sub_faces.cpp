@@ -1,0 +1,237 @@
+#include "arrangement/sub_faces.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "arrangement/plane_regions.h"
+#include "boolean/collect.h"
+
+namespace sectile::arrangement {
+namespace {
+
+// Faces that overlap in one plane, and each face that others meet, in groups.
+class Groups {
+ public:
+  Groups(const Facets& facets, const std::vector<FacePair>& pairs, const Traces& traces)
+      : facets_(facets), traces_(traces), parent_(facets.face_count()) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+    std::vector<std::uint8_t> overlaps(parent_.size(), 0);
+    for (const FacePair& pair : pairs)
+      if (pair.how == Meeting::overlapping) {
+        overlaps[pair.f] = overlaps[pair.g] = 1;
+        const std::uint32_t a = root(pair.f), b = root(pair.g);
+        parent_[std::max(a, b)] = std::min(a, b);
+      }
+    std::vector<std::uint32_t> number(parent_.size(), none);
+    divided.assign(parent_.size(), 0);
+    for (std::uint32_t f = 0; f < parent_.size(); ++f) {
+      if (!overlaps[f] && !is_met(f)) continue;
+      divided[f] = 1;
+      std::uint32_t& n = number[root(f)];
+      if (n == none) {
+        n = static_cast<std::uint32_t>(groups.size());
+        groups.emplace_back();
+      }
+      groups[n].push_back(f);
+    }
+  }
+
+  std::vector<std::vector<std::uint32_t>> groups;
+  std::vector<std::uint8_t> divided;  // per face
+
+ private:
+  std::uint32_t root(std::uint32_t f) {
+    while (parent_[f] != f) f = parent_[f] = parent_[parent_[f]];
+    return f;
+  }
+  // Is there more than its own corners and edges?
+  bool is_met(std::uint32_t f) const {
+    const auto points = traces_.points_of(f);
+    if (points.empty()) return false;
+    std::vector<PointId> corners;
+    for (std::uint32_t c = facets_.begin(f); c < facets_.end(f); ++c)
+      corners.push_back(facets_.from(c));
+    std::sort(corners.begin(), corners.end());
+    for (const PointId p : points)
+      if (!std::binary_search(corners.begin(), corners.end(), p)) return true;
+    if (corners.size() == 3) return false;
+    for (const Trace& t : traces_.of(f)) {
+      bool edge = false;
+      for (std::uint32_t c = facets_.begin(f); c < facets_.end(f) && !edge; ++c)
+        edge = std::minmax(facets_.from(c), facets_.to(c)) == std::minmax(t.from, t.to);
+      if (!edge) return true;
+    }
+    return false;
+  }
+
+  const Facets& facets_;
+  const Traces& traces_;
+  std::vector<std::uint32_t> parent_;
+};
+
+class Steps {
+ public:
+  Steps(const Facets& facets, const Kernel& kernel, Counting counting, std::vector<Winding>& steps)
+      : facets_(facets), kernel_(kernel), counting_(counting), steps_(steps) {}
+
+  /// The number of the step across a plane where these faces lie.
+  std::uint32_t of(PlaneId plane, std::span<const std::uint32_t> cover) {
+    Winding step;
+    for (const std::uint32_t f : cover)
+      add(step, {{facets_.operand[f], 1}}, kernel_.same_direction(plane, facets_.plane[f]) ? 1 : -1,
+          counting_);
+    const auto [at, made] =
+        numbers_.try_emplace(std::move(step), static_cast<std::uint32_t>(steps_.size()));
+    if (made) steps_.push_back(at->first);
+    return at->second;
+  }
+
+ private:
+  const Facets& facets_;
+  const Kernel& kernel_;
+  Counting counting_;
+  std::vector<Winding>& steps_;
+  std::map<Winding, std::uint32_t> numbers_;
+};
+
+class Collector {
+ public:
+  Collector(const Facets& facets, const Kernel& kernel, Counting counting)
+      : facets_(facets), steps_(facets, kernel, counting, result_.steps) {}
+
+  void add_whole(std::uint32_t f) {
+    Polygons& to = result_.polygons;
+    for (std::uint32_t l = facets_.polygons.first_loop(f); l < facets_.polygons.face_end[f]; ++l) {
+      to.add_loop(facets_.polygons.loop(l));
+      for (std::uint32_t c = facets_.polygons.loop_begin(l); c < facets_.polygons.loop_end[l]; ++c)
+        result_.across.push_back(facets_.second_plane.empty() ? PlaneId()
+                                                              : facets_.second_plane[c]);
+    }
+    const std::uint32_t operand = facets_.operand[f];
+    if (operand >= whole_step_.size()) whole_step_.resize(operand + 1, none);
+    std::uint32_t& step = whole_step_[operand];
+    if (step == none) step = steps_.of(facets_.plane[f], std::span(&f, 1));
+    end_face(facets_.plane[f], std::span(&f, 1), step, false);
+  }
+
+  void add_regions(PlaneId plane, const Regions& regions) {
+    std::uint32_t loop = 0, corner = 0;
+    for (std::size_t r = 0; r < regions.region_end.size(); ++r) {
+      const auto cover = regions.cover_of(r);
+      const std::uint32_t step = steps_.of(plane, cover);
+      const bool keep = !result_.steps[step].empty();
+      for (; loop < regions.region_end[r]; ++loop) {
+        const std::uint32_t end = regions.loop_end[loop];
+        if (keep) {
+          result_.polygons.add_loop(std::span(regions.corners).subspan(corner, end - corner));
+          result_.across.insert(result_.across.end(), regions.across.begin() + corner,
+                                regions.across.begin() + end);
+        }
+        corner = end;
+      }
+      if (keep) end_face(plane, cover, step, true);
+    }
+  }
+
+  SubFaces take() { return std::move(result_); }
+
+ private:
+  void end_face(PlaneId plane, std::span<const std::uint32_t> cover, std::uint32_t step,
+                bool divided) {
+    result_.polygons.end_face(cover.front());
+    result_.plane.push_back(plane);
+    result_.cover.insert(result_.cover.end(), cover.begin(), cover.end());
+    result_.cover_end.push_back(static_cast<std::uint32_t>(result_.cover.size()));
+    result_.step_of.push_back(step);
+    result_.divided.push_back(divided);
+  }
+
+  const Facets& facets_;
+  SubFaces result_;
+  Steps steps_;
+  std::vector<std::uint32_t> whole_step_;  // per operand
+};
+
+// Where the pieces of a plane cross each other, in all planes.
+void divide_planes(std::vector<PlanePieces>& planes, const Facets& facets, const EdgeLines& lines,
+                   Geometry& geometry, Kernel& kernel, std::vector<PointId>& first_at,
+                   const Traces& traces, const Groups& groups, const Steering& steering) {
+  tbb::parallel_for(std::size_t(0), planes.size(), [&](std::size_t i) {
+    steering.check();
+    planes[i].find_crossings(kernel, lines);
+  });
+  std::vector<Construction> constructions;
+  std::vector<std::size_t> first{0};
+  for (const PlanePieces& plane : planes) {
+    append(constructions, plane.constructions());
+    first.push_back(constructions.size());
+  }
+  const std::vector<PointId> made = add_points(constructions, geometry, kernel);
+  std::vector<PointId> points = made;
+  for (const auto& group : groups.groups)
+    for (const std::uint32_t f : group) {
+      for (const PointId p : traces.points_of(f)) points.push_back(p);
+      for (std::uint32_t c = facets.begin(f); c < facets.end(f); ++c)
+        points.push_back(facets.from(c));
+    }
+  unite_places(kernel, std::move(points), first_at);
+  tbb::parallel_for(std::size_t(0), planes.size(), [&](std::size_t i) {
+    planes[i].divide(kernel, std::span(made).subspan(first[i], first[i + 1] - first[i]), first_at,
+                     facets);
+  });
+}
+
+}  // namespace
+
+BoxTree tree_of(const Facets& facets, const Geometry& geometry) {
+  std::vector<Box> boxes(facets.face_count());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
+    for (std::size_t f = range.begin(); f < range.end(); ++f) {
+      Bounds bounds;
+      for (const PointId p : facets.polygons.loop(facets.polygons.first_loop(f)))
+        bounds.add(geometry.position(p));
+      boxes[f] = bounds.box();
+    }
+  });
+  return BoxTree(boxes);
+}
+
+SubFaces arrange(const Facets& facets, const BoxTree& tree, Counting counting, Geometry& geometry,
+                 Kernel& kernel, const Steering& steering) {
+  const std::vector<std::uint8_t> convex = find_convex(facets, kernel);
+  const std::vector<FacePair> pairs = find_pairs(facets, tree, convex, kernel, steering);
+  steering.step(0.3);
+  std::vector<std::uint8_t> wanted(facets.face_count(), 0);
+  for (const FacePair& pair : pairs) wanted[pair.f] = wanted[pair.g] = 1;
+  const EdgeLines lines(facets, wanted, geometry, kernel);
+  std::vector<PointId> first_at;
+  const Traces traces =
+      find_traces(facets, pairs, convex, lines, wanted, geometry, kernel, first_at, steering);
+  steering.step(0.5);
+  const Groups groups(facets, pairs, traces);
+  std::vector<PlanePieces> planes;
+  planes.reserve(groups.groups.size());
+  for (const auto& group : groups.groups) planes.emplace_back(facets, lines, traces, group);
+  divide_planes(planes, facets, lines, geometry, kernel, first_at, traces, groups, steering);
+  std::vector<Regions> regions(planes.size());
+  tbb::parallel_for(std::size_t(0), planes.size(), [&](std::size_t i) {
+    steering.check();
+    regions[i] = find_regions(planes[i], kernel);
+  });
+  steering.step(0.6);
+  Collector collector(facets, kernel, counting);
+  for (std::uint32_t f = 0; f < facets.face_count(); ++f)
+    if (!groups.divided[f]) collector.add_whole(f);
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    collector.add_regions(planes[i].plane(), regions[i]);
+  SubFaces result = collector.take();
+  result.divided_faces =
+      static_cast<std::size_t>(std::count(groups.divided.begin(), groups.divided.end(), 1));
+  return result;
+}
+
+}  // namespace sectile::arrangement

@@ -1,0 +1,38 @@
+// The faces of an arrangement: parts of faces that meet only in common edges and corners.
+#pragma once
+
+#include "arrangement/facets.h"
+#include "arrangement/steering.h"
+#include "arrangement/winding.h"
+#include "search/box_tree.h"
+
+namespace sectile::arrangement {
+
+/// Faces that lie on each other are one.
+struct SubFaces {
+  Polygons polygons;           ///< counter-clockwise, seen against the normal of the plane
+  std::vector<PlaneId> plane;  ///< per sub-face
+  /// Per corner: a plane through the edge, not parallel to the face's, where one is known.
+  std::vector<PlaneId> across;
+  std::vector<std::uint32_t> cover_end;
+  std::vector<std::uint32_t> cover;    ///< the faces that lie there, ascending
+  std::vector<std::uint8_t> divided;   ///< per sub-face: was found by dividing a plane
+  std::vector<std::uint32_t> step_of;  ///< per sub-face: in steps
+  std::vector<Winding> steps;     ///< what is behind a sub-face has more than what is before it
+  std::size_t divided_faces = 0;  ///< how many faces were divided
+
+  std::size_t size() const { return plane.size(); }
+  std::span<const std::uint32_t> cover_of(std::size_t f) const {
+    const std::uint32_t begin = f > 0 ? cover_end[f - 1] : 0;
+    return std::span(cover).subspan(begin, cover_end[f] - begin);
+  }
+};
+
+BoxTree tree_of(const Facets& facets, const Geometry& geometry);
+
+/// Adds the points in which faces meet to the geometry. Parts whose faces cancel each other are
+/// left out.
+SubFaces arrange(const Facets& facets, const BoxTree& tree, Counting counting, Geometry& geometry,
+                 Kernel& kernel, const Steering& steering);
+
+}  // namespace sectile::arrangement

@@ -1,0 +1,73 @@
+#include "arrangement/winding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sectile::arrangement {
+
+void add(Winding& winding, const Winding& step, int sign, Counting counting) {
+  for (const auto& [operand, by] : step) {
+    auto at = std::lower_bound(winding.begin(), winding.end(), operand,
+                               [](const auto& entry, std::uint32_t o) { return entry.first < o; });
+    if (at == winding.end() || at->first != operand) at = winding.insert(at, {operand, 0});
+    at->second += sign * by;
+    if (counting == Counting::parity) at->second &= 1;
+    if (at->second == 0) winding.erase(at);
+  }
+}
+
+Sign WindingRay::side(const ExactPoint& point, PlaneId plane) const {
+  if (const Sign s = value_at(kernel_.exact(plane), point).sign(); s != Sign::zero) return s;
+  if (const Sign z = kernel_.normal(plane, 2); z != Sign::zero) return -z;
+  if (const Sign y = kernel_.normal(plane, 1); y != Sign::zero) return y;
+  return kernel_.normal(plane, 0);
+}
+
+// In the projection along x, an edge that ends level with the point counts as below it, one through
+// it as above.
+bool WindingRay::meets(const ExactPoint& point, std::uint32_t face) const {
+  const auto above = [&](PointId p) {
+    const ExactPoint& q = kernel_.exact(p);
+    return minor(q.x[1], q.w, point.x[1], point.w).sign() * q.w.sign() == Sign::positive;
+  };
+  bool odd = false;
+  for (std::uint32_t c = facets_.begin(face); c < facets_.end(face); ++c) {
+    const PointId u = facets_.from(c), v = facets_.to(c);
+    const bool above_u = above(u), above_v = above(v);
+    if (above_u == above_v) continue;
+    // With y to the right and z up: an edge to the right passes above what is on its right.
+    const ExactPoint &p = kernel_.exact(u), &q = kernel_.exact(v);
+    const Sign turn = turn_of(p, q, point, 0).sign() * p.w.sign() * q.w.sign();
+    if (turn == Sign::zero || (turn == Sign::negative) == above_v) odd = !odd;
+  }
+  return odd;
+}
+
+std::vector<WindingRay::Hit> WindingRay::hits(const ExactPoint& point) const {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  double low[3], high[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    const double at = nearest_quotient(point.x[axis], point.w);
+    low[axis] = std::nextafter(at, -far);
+    high[axis] = std::nextafter(at, far);
+  }
+  std::vector<std::uint32_t> faces;
+  tree_.query(
+      [&](const Box& b) {
+        return b.high[0] >= low[0] && b.low[1] <= high[1] && low[1] <= b.high[1] &&
+               b.low[2] <= high[2] && low[2] <= b.high[2];
+      },
+      [&](std::uint32_t f) { faces.push_back(f); });
+  std::sort(faces.begin(), faces.end());
+  std::vector<Hit> found;
+  for (const std::uint32_t f : faces) {
+    const PlaneId plane = facets_.plane[f];
+    const Sign normal = kernel_.normal(plane, 0);
+    if (normal == Sign::zero || side(point, plane) != -normal || !meets(point, f)) continue;
+    found.push_back({f, normal == Sign::positive ? 1 : -1});
+  }
+  return found;
+}
+
+}  // namespace sectile::arrangement

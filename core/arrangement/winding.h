@@ -1,0 +1,52 @@
+// Winding numbers: how often the surfaces of each operand go around a point.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "arrangement/facets.h"
+#include "arrangement/steering.h"
+#include "search/box_tree.h"
+
+namespace sectile::arrangement {
+
+/// The operands whose winding number is not zero, ascending, with the number.
+using Winding = std::vector<std::pair<std::uint32_t, std::int32_t>>;
+
+/// How surfaces count.
+enum class Counting {
+  oriented,  ///< each face by its orientation
+  parity     ///< each face once, modulo two
+};
+
+/// winding += sign · step, for a sign of 1 or -1.
+void add(Winding& winding, const Winding& step, int sign, Counting counting);
+
+/// Counts the faces that a ray meets.
+class WindingRay {
+ public:
+  WindingRay(const Facets& facets, const BoxTree& tree, const Kernel& kernel)
+      : facets_(facets), tree_(tree), kernel_(kernel) {}
+
+  struct Hit {
+    std::uint32_t face;
+    std::int32_t sign;
+  };
+  /// The faces that a ray in direction +x meets, with the winding number that they add around its
+  /// start. It starts beside the point, at an infinitesimal distance: (ζ, ε, -δ) with δ far greater
+  /// than ε and ε than ζ, so that it meets no edge. The point's w is positive.
+  std::vector<Hit> hits(const ExactPoint& point) const;
+
+  /// The side of a plane on which the start of that ray lies.
+  Sign side(const ExactPoint& point, PlaneId plane) const;
+
+ private:
+  bool meets(const ExactPoint& point, std::uint32_t face) const;
+
+  const Facets& facets_;
+  const BoxTree& tree_;
+  const Kernel& kernel_;
+};
+
+}  // namespace sectile::arrangement

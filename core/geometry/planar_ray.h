@@ -1,0 +1,67 @@
+// Point in polygon by counting the crossings of a ray, exactly.
+#pragma once
+
+#include "geometry/kernel.h"
+
+namespace sectile {
+
+/// Counts crossings of the ray in direction +i within the projection along a plane's main axis k,
+/// with coordinates (i, j) and half-open edges. `Point` is a point of the plane that can be asked
+/// for compare(PointId, axis) and side(PlaneId), as a Probe can.
+template <class Point>
+class PlanarRay {
+ public:
+  /// What an edge has in common with the point.
+  enum class Touch { nothing, from, to, within };
+
+  PlanarRay(const Kernel& kernel, PlaneId plane, const Point& point)
+      : kernel_(&kernel),
+        plane_(plane),
+        point_(&point),
+        k_(kernel.main_axis(plane)),
+        i_((k_ + 1) % 3),
+        j_((k_ + 2) % 3) {}
+
+  int i() const { return i_; }
+  int j() const { return j_; }
+  /// After all edges of a face, none of which touches the point: is it inside?
+  bool odd() const { return odd_; }
+
+  /// An edge from u to v, with the face on its left; across() gives a plane through it that is not
+  /// parallel to the face's.
+  template <class Across>
+  Touch add(PointId u, PointId v, const Across& across) {
+    const Sign ju = point_->compare(u, j_), jv = point_->compare(v, j_);
+    if (ju != Sign::zero && ju == jv) return Touch::nothing;
+    if (ju == Sign::zero && point_->compare(u, i_) == Sign::zero) return Touch::from;
+    if (jv == Sign::zero && point_->compare(v, i_) == Sign::zero) return Touch::to;
+    if (ju == Sign::zero && jv == Sign::zero)
+      return point_->compare(u, i_) != point_->compare(v, i_) ? Touch::within : Touch::nothing;
+    // Half-open: a point level with the line counts as above it.
+    const bool up = ju == Sign::negative && jv != Sign::negative;
+    const bool down = jv == Sign::negative && ju != Sign::negative;
+    if (ju == Sign::zero || jv == Sign::zero) {
+      if ((up || down) && point_->compare(ju == Sign::zero ? u : v, i_) == Sign::positive)
+        odd_ = !odd_;
+      return Touch::nothing;
+    }
+    const PlaneId plane = across();
+    const Sign side = point_->side(plane);
+    if (side == Sign::zero) return Touch::within;
+    // The edge runs along sense · (n × normal(plane)); its left side has the sign -sense.
+    const Sign sense = (up ? Sign::positive : Sign::negative) * kernel_->cross(plane_, plane, j_);
+    const bool left = side == -sense;
+    const bool mirrored = kernel_->normal(plane_, k_) == Sign::negative;
+    if ((left != mirrored) == up) odd_ = !odd_;
+    return Touch::nothing;
+  }
+
+ private:
+  const Kernel* kernel_;
+  PlaneId plane_;
+  const Point* point_;
+  int k_, i_, j_;
+  bool odd_ = false;
+};
+
+}  // namespace sectile

@@ -1,0 +1,96 @@
+#include "import/brep_builder.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace sectile {
+namespace {
+
+class BrepBuilder {
+ public:
+  BrepBuilder(const Polygons& polygons, const std::vector<std::uint32_t>& mate, Brep& brep)
+      : polygons_(polygons), mate_(mate), brep_(brep), half_edge_(polygons.corners.size()) {}
+
+  void run() {
+    number_half_edges();
+    add_faces();
+    add_vertices();
+  }
+
+ private:
+  void number_half_edges() {
+    std::uint32_t next = 0;
+    for (std::uint32_t i = 0; i < half_edge_.size(); ++i) {
+      if (half_edge_[i].valid()) continue;
+      half_edge_[i] = HalfEdgeId(next);
+      half_edge_[mate_[i]] = HalfEdgeId(next + 1);
+      next += 2;
+    }
+    brep_.origin.resize(next);
+    brep_.next.resize(next);
+    brep_.prev.resize(next);
+    brep_.loop.resize(next);
+    start_.resize(next);
+  }
+
+  void add_faces() {
+    const std::size_t faces = polygons_.face_count(), loops = polygons_.loop_end.size();
+    brep_.outer_loop.resize(faces);
+    brep_.plane.resize(faces);
+    brep_.source.resize(faces);
+    brep_.loop_half_edge.resize(loops);
+    brep_.loop_face.resize(loops);
+    brep_.next_loop.resize(loops);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces, 1024), [&](const auto& range) {
+      for (std::size_t f = range.begin(); f < range.end(); ++f) add_face(FaceId(f));
+    });
+  }
+
+  void add_face(FaceId f) {
+    const std::uint32_t first = polygons_.first_loop(f.value());
+    brep_.outer_loop[f.value()] = LoopId(first);
+    for (std::uint32_t l = first; l < polygons_.face_end[f.value()]; ++l) {
+      brep_.loop_face[l] = f;
+      if (l + 1 < polygons_.face_end[f.value()]) brep_.next_loop[l] = LoopId(l + 1);
+      const std::uint32_t begin = polygons_.loop_begin(l), end = polygons_.loop_end[l];
+      brep_.loop_half_edge[l] = half_edge_[begin];
+      for (std::uint32_t i = begin; i < end; ++i) {
+        const HalfEdgeId h = half_edge_[i], after = half_edge_[i + 1 < end ? i + 1 : begin];
+        brep_.next[h.value()] = after;
+        brep_.prev[after.value()] = h;
+        brep_.loop[h.value()] = LoopId(l);
+        start_[h.value()] = polygons_.corners[i];
+      }
+    }
+  }
+
+  // One vertex for each cycle of edges.
+  void add_vertices() {
+    for (std::size_t i = 0; i < brep_.half_edge_count(); ++i) {
+      if (brep_.origin[i].valid()) continue;
+      const HalfEdgeId first{i};
+      const VertexId v(brep_.vertex_count());
+      brep_.point.push_back(start_[i]);
+      brep_.vertex_half_edge.push_back(first);
+      HalfEdgeId h = first;
+      do {
+        brep_.origin[h.value()] = v;
+        h = brep_.around(h);
+      } while (h != first);
+    }
+  }
+
+  const Polygons& polygons_;
+  const std::vector<std::uint32_t>& mate_;
+  Brep& brep_;
+  std::vector<HalfEdgeId> half_edge_;  // per corner
+  std::vector<PointId> start_;         // per half-edge
+};
+
+}  // namespace
+
+void build_brep(const Polygons& polygons, const std::vector<std::uint32_t>& mate, Brep& brep) {
+  BrepBuilder(polygons, mate, brep).run();
+}
+
+}  // namespace sectile

@@ -1,0 +1,1 @@
+sectile_test(arrangement_test SOURCES arrangement_test.cpp)

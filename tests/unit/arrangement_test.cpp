@@ -1,0 +1,92 @@
+// Any number of solids in one arrangement, against counted cells and pairwise Booleans.
+#include "sectile/arrangement.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "sectile/sectile.h"
+
+namespace sectile {
+namespace {
+
+struct LatticeBox {
+  int low[3], high[3];
+  bool has(int x, int y, int z) const {
+    return low[0] <= x && x < high[0] && low[1] <= y && y < high[1] && low[2] <= z && z < high[2];
+  }
+  Solid solid() const {
+    return block({double(low[0]), double(low[1]), double(low[2])},
+                 {double(high[0]), double(high[1]), double(high[2])});
+  }
+};
+
+constexpr int size = 5;
+
+LatticeBox random_box(std::mt19937& random) {
+  LatticeBox box;
+  for (int k = 0; k < 3; ++k) {
+    box.low[k] = static_cast<int>(random() % (size - 1));
+    box.high[k] = box.low[k] + 1 + static_cast<int>(random() % unsigned(size - box.low[k]));
+    box.high[k] = std::min(box.high[k], size);
+  }
+  return box;
+}
+
+template <class In>
+double count(const In& in) {
+  double sum = 0;
+  for (int x = 0; x < size; ++x)
+    for (int y = 0; y < size; ++y)
+      for (int z = 0; z < size; ++z) sum += in(x, y, z);
+  return sum;
+}
+
+TEST(Arrangement, RandomBoxesAreWhatTheirCellsSay) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 400; ++round) {
+    SCOPED_TRACE(round);
+    const std::size_t boxes = 2 + random() % 6;
+    std::vector<LatticeBox> box;
+    std::vector<Solid> solids;
+    for (std::size_t i = 0; i < boxes; ++i) {
+      box.push_back(random_box(random));
+      solids.push_back(box.back().solid());
+    }
+    const auto covering = [&](int x, int y, int z) {
+      std::size_t n = 0;
+      for (const LatticeBox& b : box) n += b.has(x, y, z);
+      return n;
+    };
+    const Solid all = unite(solids), common = intersect(solids),
+                first = subtract(solids[0], std::span(solids).subspan(1));
+    EXPECT_EQ(all.volume(), count([&](int x, int y, int z) { return covering(x, y, z) > 0; }));
+    EXPECT_EQ(common.volume(),
+              count([&](int x, int y, int z) { return covering(x, y, z) == boxes; }));
+    EXPECT_EQ(first.volume(), count([&](int x, int y, int z) {
+                return box[0].has(x, y, z) && covering(x, y, z) == 1;
+              }));
+    for (const Solid& s : {all, common, first}) {
+      const auto found = validate(s);
+      EXPECT_TRUE(found.empty()) << found.front().what;
+    }
+    Solid pairwise_all = solids[0], pairwise_common = solids[0], pairwise_first = solids[0];
+    for (std::size_t i = 1; i < boxes; ++i) {
+      pairwise_all = boolean(pairwise_all, solids[i], Operation::unite);
+      pairwise_common = boolean(pairwise_common, solids[i], Operation::intersect);
+      pairwise_first = boolean(pairwise_first, solids[i], Operation::subtract);
+    }
+    EXPECT_TRUE(all == pairwise_all);
+    EXPECT_TRUE(common == pairwise_common);
+    EXPECT_TRUE(first == pairwise_first);
+    double sum = 0;
+    for (const Cell& cell : cells(solids)) {
+      sum += cell.solid.volume();
+      EXPECT_TRUE(validate(cell.solid).empty());
+    }
+    EXPECT_EQ(sum, all.volume());
+  }
+}
+
+}  // namespace
+}  // namespace sectile
