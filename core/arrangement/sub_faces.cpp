@@ -122,6 +122,10 @@ class Collector {
     std::uint32_t loop = 0, corner = 0;
     for (std::size_t r = 0; r < regions.region_end.size(); ++r) {
       const auto cover = regions.cover_of(r);
+      if (cover.size() > 1) {
+        ++result_.overlaps;
+        result_.first_overlap = std::min(result_.first_overlap, cover[0]);
+      }
       const std::uint32_t step = steps_.of(plane, cover);
       const bool keep = !result_.steps[step].empty();
       for (; loop < regions.region_end[r]; ++loop) {
@@ -231,6 +235,8 @@ SubFaces arrange(const Facets& facets, const BoxTree& tree, Counting counting, G
   SubFaces result = collector.take();
   result.divided_faces =
       static_cast<std::size_t>(std::count(groups.divided.begin(), groups.divided.end(), 1));
+  result.first_divided = static_cast<std::uint32_t>(
+      std::find(groups.divided.begin(), groups.divided.end(), 1) - groups.divided.begin());
   return result;
 }
 

@@ -18,8 +18,11 @@ struct SubFaces {
   std::vector<std::uint32_t> cover;    ///< the faces that lie there, ascending
   std::vector<std::uint8_t> divided;   ///< per sub-face: was found by dividing a plane
   std::vector<std::uint32_t> step_of;  ///< per sub-face: in steps
-  std::vector<Winding> steps;     ///< what is behind a sub-face has more than what is before it
-  std::size_t divided_faces = 0;  ///< how many faces were divided
+  std::vector<Winding> steps;  ///< what is behind a sub-face has more than what is before it
+
+  /// How many faces were divided, at how many places several lie on each other, and the first ones.
+  std::size_t divided_faces = 0, overlaps = 0;
+  std::uint32_t first_divided = none, first_overlap = none;
 
   std::size_t size() const { return plane.size(); }
   std::span<const std::uint32_t> cover_of(std::size_t f) const {

@@ -53,10 +53,11 @@ enum class Shape : std::uint8_t {
 
 class PlaneFinder {
  public:
-  PlaneFinder(Polygons& polygons, Geometry& geometry, Kernel& kernel)
+  PlaneFinder(Polygons& polygons, Geometry& geometry, Kernel& kernel, CrossingFaces crossing)
       : polygons_(polygons),
         geometry_(geometry),
         kernel_(kernel),
+        crossing_(crossing),
         shapes_(polygons.face_count(), Shape::whole) {}
 
   void run() {
@@ -121,7 +122,7 @@ class PlaneFinder {
   void refuse_wrong_ones() const {
     for (std::size_t f = 0; f < shapes_.size(); ++f) {
       const std::string face = std::to_string(polygons_.source[f]);
-      if (shapes_[f] == Shape::crossing)
+      if (shapes_[f] == Shape::crossing && crossing_ == CrossingFaces::refuse)
         throw InvalidSolid(
             InvalidSolid::Reason::self_intersecting,
             "the edges of face " + face + " cross each other; split it into simple polygons",
@@ -140,7 +141,8 @@ class PlaneFinder {
       if (shapes_[f] != Shape::whole) split.push_back(f);
     std::vector<Polygons> pieces(split.size());
     tbb::parallel_for(std::size_t(0), split.size(), [&](std::size_t i) {
-      split_face(kernel_, polygons_, split[i], shapes_[split[i]] == Shape::touching, pieces[i]);
+      split_face(kernel_, polygons_, split[i], shapes_[split[i]] != Shape::bent, crossing_,
+                 pieces[i]);
     });
     Polygons result;
     auto next = pieces.begin();
@@ -159,13 +161,15 @@ class PlaneFinder {
   Polygons& polygons_;
   Geometry& geometry_;
   Kernel& kernel_;
+  CrossingFaces crossing_;
   std::vector<Shape> shapes_;
 };
 
 }  // namespace
 
-void find_face_planes(Polygons& polygons, Geometry& geometry, Kernel& kernel) {
-  PlaneFinder(polygons, geometry, kernel).run();
+void find_face_planes(Polygons& polygons, Geometry& geometry, Kernel& kernel,
+                      CrossingFaces crossing) {
+  PlaneFinder(polygons, geometry, kernel, crossing).run();
 }
 
 }  // namespace sectile

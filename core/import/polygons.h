@@ -74,14 +74,19 @@ Polygons read_polygons(const SoupView& soup, Geometry& geometry,
 /// take the points on these edges.
 void remove_flat_faces(Polygons& polygons, const Kernel& kernel);
 
+/// What becomes of plane faces of one loop whose edges cross each other: they are refused, or split
+/// into triangles, which overlap.
+enum class CrossingFaces { refuse, split };
+
 /// Finds the plane of each face (one plane for each, with the face's number); splits what is not
 /// planar, or touches itself, into triangles.
-void find_face_planes(Polygons& polygons, Geometry& geometry, Kernel& kernel);
+void find_face_planes(Polygons& polygons, Geometry& geometry, Kernel& kernel,
+                      CrossingFaces crossing = CrossingFaces::refuse);
 
 /// Appends the triangles of a face that is to be split. They bound what the face bounds, whatever
 /// it looks like; some may have no area.
 void split_face(const Kernel& kernel, const Polygons& polygons, std::size_t face, bool planar,
-                Polygons& result);
+                CrossingFaces crossing, Polygons& result);
 
 /// Divides edges without a face on their other side at the ends of other such edges that lie on
 /// them. Returns whether there are any.

@@ -113,7 +113,7 @@ class FaceSplitter {
       loop_ends_.push_back(polygons.loop_end[l] - begin);
   }
 
-  std::vector<Triangle> run(bool planar) {
+  std::vector<Triangle> run(bool planar, CrossingFaces crossing) {
     bool found = false;
     for (const View& view : views(kernel_.geometry(), polygons_, face_)) {
       std::vector<Triangle> triangles;
@@ -127,7 +127,8 @@ class FaceSplitter {
       if (triangles_.empty() || whole) triangles_ = std::move(triangles);
       if (whole || planar) break;
     }
-    if (!found && (planar || loop_ends_.size() > 1)) refuse();
+    const bool may_refuse = planar && crossing == CrossingFaces::refuse;
+    if (!found && (may_refuse || loop_ends_.size() > 1)) refuse();
     if (!found) add_missing(triangles_);
     return std::move(triangles_);
   }
@@ -180,8 +181,8 @@ class FaceSplitter {
 }  // namespace
 
 void split_face(const Kernel& kernel, const Polygons& polygons, std::size_t face, bool planar,
-                Polygons& result) {
-  for (const auto& [a, b, c] : FaceSplitter(kernel, polygons, face).run(planar))
+                CrossingFaces crossing, Polygons& result) {
+  for (const auto& [a, b, c] : FaceSplitter(kernel, polygons, face).run(planar, crossing))
     if (a != b && b != c && c != a) result.add_triangle(a, b, c, polygons.source[face]);
 }
 

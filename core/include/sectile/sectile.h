@@ -7,6 +7,7 @@
 #include "sectile/files.h"
 #include "sectile/mesh.h"
 #include "sectile/primitives.h"
+#include "sectile/repair.h"
 #include "sectile/solid.h"
 #include "sectile/trace.h"
 #include "sectile/transform.h"
