@@ -57,6 +57,7 @@ Command add_boolean_command(CLI::App& program, Operation operation, Options& opt
   add_text(*app, "-o,--output", arguments->output, "file of the result; - is standard output", "C");
   add_input_format(*app, options);
   add_output_format(*app, options);
+  add_repair(*app, options);
   add_validate(*app, options,
                "check all invariants after every phase, and the results as they are and as they "
                "were rounded");

@@ -21,6 +21,7 @@ Command add_split_command(CLI::App& program, Options& options);
 Command add_check_command(CLI::App& program, Options& options);
 Command add_info_command(CLI::App& program, Options& options);
 Command add_convert_command(CLI::App& program, Options& options);
+Command add_repair_command(CLI::App& program, Options& options);
 Command add_trace_command(CLI::App& program, Options& options);
 
 }  // namespace sectile::cli

@@ -8,6 +8,7 @@
 
 #include "file_formats.h"
 #include "problem.h"
+#include "repairing.h"
 
 namespace sectile::cli {
 namespace {
@@ -133,7 +134,18 @@ Operands read_operands(const std::vector<std::string>& names, const Options& opt
       unit = model.unit;
     }
     const PolygonMesh mesh = joined(model, in_messages(name));
-    operands.solids.push_back(import_input(name, mesh, progress));
+    if (!options.repair) {
+      operands.solids.push_back(import_input(name, mesh, progress));
+      continue;
+    }
+    progress.stage("repairing " + name);
+    RepairOptions how;
+    how.progress = [&](double done) { progress.fraction(done); };
+    RepairReport report;
+    operands.solids.push_back(repair_input(name, mesh, how, report));
+    if (!options.quiet)
+      for (const RepairChange& change : report.changes)
+        std::cerr << "sectile: " << in_messages(name) << ": " << in_words(change) << '\n';
   }
   operands.unit = unit.value_or(LengthUnit::millimeter);
   return operands;

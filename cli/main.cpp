@@ -15,6 +15,7 @@ constexpr const char* examples = R"(Examples:
   sectile subtract block.off drill1.off drill2.off -o drilled.stl
   sectile split part.obj --plane 0,0,1,-10 -o above.obj below.obj
   sectile check part.stl --json
+  sectile repair soup.stl -o part.obj
   sectile convert parts.3mf#lid -o lid.off
   sectile convert part.ply -o - --output-format stl-text > part.stl
   unzip -p parts.zip part.stl | sectile intersect - box.off --input-format stl -o cut.off
@@ -45,6 +46,7 @@ std::vector<Command> add_commands(CLI::App& program, Options& options) {
           add_check_command(program, options),
           add_info_command(program, options),
           add_convert_command(program, options),
+          add_repair_command(program, options),
           add_trace_command(program, options)};
 }
 

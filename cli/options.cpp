@@ -35,6 +35,12 @@ void add_validate(CLI::App& command, Options& options, const std::string& help) 
   command.add_flag("--validate", options.validate, help);
 }
 
+void add_repair(CLI::App& command, Options& options) {
+  command.add_flag("--repair", options.repair,
+                   "take each operand as the solid that its winding numbers say, wherever its "
+                   "faces cross or overlap, and tell what was done (see sectile repair)");
+}
+
 void add_input_format(CLI::App& command, Options& options) {
   add_format(command, "--input-format", options.input_format,
              "format of standard input (-; default: obj) and of inputs whose extension is unknown: "

@@ -16,6 +16,7 @@ struct Options {
   bool json = false;
   bool quiet = false;
   bool validate = false;
+  bool repair = false;
   std::optional<unsigned> threads;
   std::optional<FileFormat> input_format, output_format;
 };
@@ -23,6 +24,7 @@ struct Options {
 /// --json, --quiet and --threads.
 void add_reporting(CLI::App& command, Options& options);
 void add_validate(CLI::App& command, Options& options, const std::string& help);
+void add_repair(CLI::App& command, Options& options);
 void add_input_format(CLI::App& command, Options& options);
 void add_output_format(CLI::App& command, Options& options);
 

@@ -40,14 +40,14 @@ class ManySolids {
     return result;
   }
 
-  std::vector<Cell> cells() const {
+  std::vector<SolidCell> cells() const {
     std::map<std::vector<std::uint32_t>, std::vector<std::uint32_t>> by_operands;
     for (std::uint32_t c = 0; c < cells_.winding.size(); ++c) {
       std::vector<std::uint32_t> operands;
       for (const auto& [operand, number] : cells_.winding[c]) operands.push_back(operand);
       if (!operands.empty()) by_operands[std::move(operands)].push_back(c);
     }
-    std::vector<Cell> result;
+    std::vector<SolidCell> result;
     std::vector<const std::vector<std::uint32_t>*> numbers;
     for (const auto& [operands, cells] : by_operands) {
       result.push_back({operands, Solid()});
@@ -95,7 +95,7 @@ Solid subtract(const Solid& solid, std::span<const Solid> others,
   });
 }
 
-std::vector<Cell> cells(std::span<const Solid> solids, const ArrangementOptions& options) {
+std::vector<SolidCell> cells(std::span<const Solid> solids, const ArrangementOptions& options) {
   return ManySolids(solids, options).cells();
 }
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "boolean/geometry_copy.h"
+#include "storage/geometry_loader.h"
 
 namespace sectile::arrangement {
 
@@ -68,7 +68,7 @@ class Loader {
   Loader(Facets& facets, Geometry& geometry) : facets_(facets), geometry_(geometry) {}
 
   void add(const SolidData& solid, std::uint32_t operand) {
-    GeometryCopy copy(solid.geometry(), geometry_);
+    GeometryLoader copy(solid.geometry(), geometry_, solid.geometry().positions.size());
     const Brep& brep = solid.brep();
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
       for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l.value()]) {

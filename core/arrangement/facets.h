@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "import/polygons.h"
-#include "search/solid_data.h"
+#include "storage/solid_data.h"
 
 namespace sectile::arrangement {
 

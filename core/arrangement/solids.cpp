@@ -4,9 +4,9 @@
 #include <tbb/parallel_for.h>
 
 #include "boolean/cleanup.h"
-#include "boolean/geometry_copy.h"
 #include "import/brep_builder.h"
 #include "sectile/errors.h"
+#include "storage/geometry_loader.h"
 
 namespace sectile::arrangement {
 namespace {
@@ -21,23 +21,24 @@ class Builder {
         kernel_(kernel),
         in_solid_(in_solid),
         merging_(merging),
-        glued_{std::make_shared<SolidData>(), {}},
-        copy_(geometry, glued_.data->geometry()),
+        data_(std::make_shared<SolidData>()),
+        copy_(geometry, data_->geometry(), geometry.positions.size()),
         made_(faces.polygons.corners.size(), none) {}
 
   std::shared_ptr<SolidData> run() {
     add_faces();
     if (result_.face_count() == 0) return std::make_shared<SolidData>();
     pair_half_edges();
-    Brep& brep = glued_.data->brep();
+    Brep& brep = data_->brep();
     build_brep(result_, mate_, brep);
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
       brep.plane[f] = plane_[f];
       brep.source[f] = source_[f];
     }
     find_seams();
-    clean_up(glued_);
-    return std::move(glued_.data);
+    clean_up(brep, data_->geometry(), seams_);
+    data_->cut();
+    return std::move(data_);
   }
 
  private:
@@ -79,7 +80,7 @@ class Builder {
       back = false;
       break;
     }
-    plane_.push_back(back ? copy_.turned(facets_.plane[chosen])
+    plane_.push_back(back ? copy_.plane(facets_.plane[chosen], true)
                           : copy_.plane(facets_.plane[chosen]));
     source_.push_back(facets_.source[chosen]);
     result_.end_face(f);
@@ -124,7 +125,7 @@ class Builder {
 
   // Edges between coplanar faces need a plane that pins them down. What division has made may go.
   void find_seams() {
-    const Brep& brep = glued_.data->brep();
+    const Brep& brep = data_->brep();
     std::vector<std::uint32_t> corner_of(brep.edge_count(), none);
     std::vector<std::uint8_t> flat(brep.edge_count(), 0);
     // build_brep numbers edges by their first corner.
@@ -142,7 +143,7 @@ class Builder {
       const std::uint32_t c = corner_of[e];
       if (flat[e]) pin(EdgeId(e), c);
       if ((faces_.divided[face(c)] || faces_.divided[face(mate_[c])]) && may_go(c))
-        glued_.seams.push_back(EdgeId(e));
+        seams_.push_back(EdgeId(e));
     }
   }
   std::uint32_t face(std::uint32_t corner) const { return cells_.face_of[old_[corner]]; }
@@ -152,7 +153,7 @@ class Builder {
   }
 
   void pin(EdgeId e, std::uint32_t corner) {
-    Brep& brep = glued_.data->brep();
+    Brep& brep = data_->brep();
     if (brep.edge_plane.empty()) brep.edge_plane.resize(brep.edge_count());
     PlaneId& plane = brep.edge_plane[e.value()];
     for (const std::uint32_t c : {corner, mate_[corner]})
@@ -160,7 +161,7 @@ class Builder {
           !kernel_.parallel(faces_.across[old_[c]], faces_.plane[face(c)]))
         plane = copy_.plane(faces_.across[old_[c]]);
     if (plane.valid()) return;
-    Geometry& g = glued_.data->geometry();
+    Geometry& g = data_->geometry();
     const PointId from = result_.corners[corner], to = result_.corners[mate_[corner]];
     if (!g.is_explicit(from) || !g.is_explicit(to))
       throw InternalError("nothing pins down an edge between flat faces");
@@ -174,8 +175,9 @@ class Builder {
   const Kernel& kernel_;
   const std::vector<std::uint8_t>& in_solid_;
   Merging merging_;
-  Glued glued_;
-  GeometryCopy copy_;
+  std::shared_ptr<SolidData> data_;
+  std::vector<EdgeId> seams_;
+  GeometryLoader copy_;
   Polygons result_;
   std::vector<PlaneId> plane_;
   std::vector<FaceSource> source_;

@@ -74,7 +74,7 @@ Solid assemble(Workspace& w, Operation operation, std::size_t index) {
   Glued glued = glue(w, operation, w.wedges[index], kept);
   if (w.options.observer) report_gluing(w, w.wedges[index]);
   step(w, 0.9);
-  clean_up(glued);
+  clean_up(glued.brep, glued.geometry, glued.seams);
   const bool touches = !glued.slots.empty() && operands_touch_themselves(w);
   Solid result(splice(std::move(glued.slots),
                       {std::move(glued.brep), std::move(glued.geometry), std::move(glued.outside)},

@@ -11,8 +11,8 @@ namespace {
 
 class Cleaner {
  public:
-  explicit Cleaner(Glued& glued)
-      : brep_(glued.brep), geometry_(glued.geometry), seams_(glued.seams), euler_(brep_) {}
+  Cleaner(Brep& brep, const Geometry& geometry, const std::vector<EdgeId>& seams)
+      : brep_(brep), geometry_(geometry), seams_(seams), euler_(brep_) {}
 
   void run() {
     std::vector<VertexId> ends;
@@ -104,8 +104,8 @@ class Cleaner {
 
 }  // namespace
 
-void clean_up(Glued& glued) {
-  Cleaner(glued).run();
+void clean_up(Brep& brep, const Geometry& geometry, const std::vector<EdgeId>& seams) {
+  Cleaner(brep, geometry, seams).run();
 }
 
 }  // namespace sectile

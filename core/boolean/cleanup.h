@@ -2,10 +2,14 @@
 // edges that nothing needs any more, disappear.
 #pragma once
 
-#include "boolean/gluing.h"
+#include <vector>
+
+#include "geometry/geometry.h"
+#include "topology/brep.h"
 
 namespace sectile {
 
-void clean_up(Glued& glued);
+/// `seams`: the edges that may go.
+void clean_up(Brep& brep, const Geometry& geometry, const std::vector<EdgeId>& seams);
 
 }  // namespace sectile

@@ -167,7 +167,88 @@ class Orienter {
   std::vector<std::int8_t> way_;
 };
 
+// Faces by what they are open by: how many more half-edges run along each edge than back.
+class CopyFinder {
+ public:
+  CopyFinder(const Polygons& polygons, Balance balance) : polygons_(polygons), balance_(balance) {
+    for_each_line(polygons, [&](PointId low, std::span<const LineEntry> entries) {
+      if (is_open(entries, balance))
+        excess_[{low, entries[0].high}] = balance == Balance::oriented ? sum_of(entries) : 1;
+    });
+  }
+
+  std::vector<std::uint32_t> run() {
+    std::map<std::vector<PointId>, std::vector<std::uint32_t>> alike;
+    for (std::uint32_t f = 0; f < polygons_.face_count(); ++f)
+      if (is_superfluous(f)) ++candidates_;
+    if (candidates_ == 0) return {};
+    for (std::uint32_t f = 0; f < polygons_.face_count(); ++f) alike[corners(f)].push_back(f);
+    std::vector<std::uint32_t> removed;
+    for (const auto& [corners, faces] : alike)
+      for (std::size_t i = faces.size(), left = faces.size(); i-- > 0 && left > 1;)
+        if (is_superfluous(faces[i])) {
+          take(faces[i]);
+          removed.push_back(faces[i]);
+          --left;
+        }
+    std::sort(removed.begin(), removed.end());
+    return removed;
+  }
+
+ private:
+  std::vector<PointId> corners(std::uint32_t f) const {
+    const auto span = polygons_.face_corners(f);
+    std::vector<PointId> sorted(span.begin(), span.end());
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  }
+
+  template <class Visit>
+  void for_each_edge(std::uint32_t f, const Visit& visit) const {
+    const auto loop = polygons_.face_corners(f);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const PointId p = loop[i], q = loop[i + 1 < loop.size() ? i + 1 : 0];
+      visit(std::pair(std::min(p, q), std::max(p, q)), p < q ? 1 : -1);
+    }
+  }
+
+  bool is_superfluous(std::uint32_t f) const {
+    bool all = polygons_.face_end[f] == polygons_.first_loop(f) + 1;
+    for_each_edge(f, [&](const std::pair<PointId, PointId>& edge, int way) {
+      if (!all) return;
+      const auto at = excess_.find(edge);
+      all = at != excess_.end() && at->second != 0 &&
+            (balance_ == Balance::parity || (at->second > 0) == (way > 0));
+    });
+    return all;
+  }
+  void take(std::uint32_t f) {
+    for_each_edge(f, [&](const std::pair<PointId, PointId>& edge, int way) {
+      excess_[edge] -= balance_ == Balance::parity ? 1 : way;
+    });
+  }
+
+  const Polygons& polygons_;
+  Balance balance_;
+  std::size_t candidates_ = 0;
+  std::map<std::pair<PointId, PointId>, int> excess_;  // of open edges
+};
+
 }  // namespace
+
+std::vector<std::uint32_t> remove_copies(Polygons& polygons, Balance balance) {
+  const std::vector<std::uint32_t> removed = CopyFinder(polygons, balance).run();
+  if (removed.empty()) return removed;
+  Polygons kept;
+  auto next = removed.begin();
+  for (std::uint32_t f = 0; f < polygons.face_count(); ++f)
+    if (next != removed.end() && *next == f)
+      ++next;
+    else
+      kept.add_face(polygons, f);
+  polygons = std::move(kept);
+  return removed;
+}
 
 std::vector<std::uint32_t> open_corners(const Polygons& polygons, Balance balance) {
   std::vector<std::uint32_t> corners;

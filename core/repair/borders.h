@@ -26,6 +26,10 @@ std::vector<std::uint32_t> open_corners(const Polygons& polygons, Balance balanc
 /// All borders, as loops that visit no point twice.
 std::vector<BorderLoop> border_loops(const Polygons& polygons, Balance balance);
 
+/// Removes faces with the corners of another one all of whose edges are open, so that removing them
+/// closes edges and opens none. Returns their numbers.
+std::vector<std::uint32_t> remove_copies(Polygons& polygons, Balance balance);
+
 /// Turns faces around so that two that meet in an edge run along it in different ways, as far as
 /// the surface allows it; most faces of each piece stay as they are. Returns the faces turned.
 std::vector<std::uint32_t> orient(Polygons& polygons);

@@ -118,6 +118,7 @@ class Repairer {
   void close() {
     std::vector<std::uint32_t> open = open_corners(polygons_, balance_);
     if (open.empty()) return;
+    remove_copies();
     if (balance_ == Balance::oriented) orient_faces();
     open = open_corners(polygons_, balance_);
     if (open.empty()) return;
@@ -127,6 +128,7 @@ class Repairer {
     if (balance_ == Balance::oriented) orient_faces();
     const std::vector<BorderLoop> loops = border_loops(polygons_, balance_);
     if (loops.empty()) return;
+    if (open_corners(polygons_, Balance::parity).empty()) refuse_to_orient(loops.front());
     for (const BorderLoop& loop : loops) note_hole(loop);
     if (!options_.close_holes) refuse();
     const auto next = static_cast<std::uint32_t>(mesh_.face_sizes.size());
@@ -137,6 +139,14 @@ class Repairer {
     }
     note(Kind::closed_holes, loops.size(), report_.holes.front().where, report_.holes.front().face);
     remove_flat_faces(polygons_, *kernel_);
+  }
+
+  void remove_copies() {
+    const Polygons before = polygons_;
+    const std::vector<std::uint32_t> removed = sectile::remove_copies(polygons_, balance_);
+    if (removed.empty()) return;
+    note(Kind::removed_copies, removed.size(), position(before.face_corners(removed[0])[0]),
+         before.source[removed[0]]);
   }
 
   void orient_faces() {
@@ -157,6 +167,14 @@ class Repairer {
     hole.where = position(loop.corners[0]);
     hole.face = polygons_.source[loop.face];
     report_.holes.push_back(hole);
+  }
+
+  [[noreturn]] void refuse_to_orient(const BorderLoop& loop) const {
+    throw InvalidSolid(InvalidSolid::Reason::inconsistent,
+                       "the surface is closed, but its faces cannot be turned so that all agree "
+                       "with their neighbours, among them at " +
+                           in_words(position(loop.corners[0])) + "; use the rule odd",
+                       polygons_.source[loop.face]);
   }
 
   [[noreturn]] void refuse() const {
@@ -228,7 +246,7 @@ class Repairer {
     note_arrangement(all, faces, cells, material);
     auto data = arrangement::solid_of(faces, cells, all, geometry_, *kernel_, material,
                                       arrangement::Merging::all);
-    if (data->brep().face_count() > 0) data->origin = origin_;
+    if (!data->empty()) data->origin = origin_;
     steering_.step(1.0);
     return Solid(std::move(data));
   }

@@ -17,6 +17,9 @@ Words words_for(Kind kind) {
               "vertices at the places of others united with them"};
     case Kind::removed_flat:
       return {"removed_flat", "face without area removed", "faces without area removed"};
+    case Kind::removed_copies:
+      return {"removed_copies", "face that repeats another one removed",
+              "faces that repeat others removed"};
     case Kind::split_polygons:
       return {"split_polygons", "polygon that is not plane or crosses itself split into triangles",
               "polygons that are not plane or cross themselves split into triangles"};

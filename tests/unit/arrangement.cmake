@@ -1,2 +1,2 @@
 sectile_test(arrangement_test SOURCES arrangement_test.cpp)
-sectile_test(repair_test SOURCES repair_test.cpp)
+sectile_test(repair_test SOURCES repair_test.cpp repair_cases_test.cpp)

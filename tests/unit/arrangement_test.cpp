@@ -80,7 +80,7 @@ TEST(Arrangement, RandomBoxesAreWhatTheirCellsSay) {
     EXPECT_TRUE(common == pairwise_common);
     EXPECT_TRUE(first == pairwise_first);
     double sum = 0;
-    for (const Cell& cell : cells(solids)) {
+    for (const SolidCell& cell : cells(solids)) {
       sum += cell.solid.volume();
       EXPECT_TRUE(validate(cell.solid).empty());
     }

@@ -28,7 +28,7 @@ Solid subtract(const Solid& solid, std::span<const Solid> others,
 
 /// A part of space that is covered by certain solids and by no others. It may consist of several
 /// pieces.
-struct Cell {
+struct SolidCell {
   std::vector<std::uint32_t> operands;  ///< the numbers of the solids that cover it, ascending
   Solid solid;
 };
@@ -36,6 +36,6 @@ struct Cell {
 /// All parts of space that are covered by different solids, one for each set of operands that
 /// occurs, ascending. Where two cells touch they have the same faces, edges and vertices, with the
 /// same FaceSource, turned around.
-std::vector<Cell> cells(std::span<const Solid> solids, const ArrangementOptions& options = {});
+std::vector<SolidCell> cells(std::span<const Solid> solids, const ArrangementOptions& options = {});
 
 }  // namespace sectile

@@ -38,6 +38,7 @@ struct RepairChange {
   enum class Kind {
     united_vertices,    ///< vertices at the place of another one
     removed_flat,       ///< faces without area
+    removed_copies,     ///< faces that another one repeats, where that leaves the surface open
     split_polygons,     ///< polygons that are not plane or cross themselves, into triangles
     divided_edges,      ///< edges with corners of other faces on them
     stitched_vertices,  ///< vertices moved onto others on the borders of holes

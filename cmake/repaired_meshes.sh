@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Repairs all meshes of three Debian packages and writes docs/repaired-meshes.md:
+#   repaired_meshes.sh BUILD [FOLDER]
+# The packages are only unpacked, into FOLDER, which is kept if it is given.
+set -euo pipefail
+build=$1
+folder=${2:-$(mktemp -d)}
+[[ $# -gt 1 ]] || trap 'rm -rf "$folder"' EXIT
+root=$(cd "$(dirname "$0")/.." && pwd)
+
+packages=(libcgal-demo assimp-testmodels openscad-testing-data)
+for package in "${packages[@]}"; do
+  [[ ! -d "$folder/$package" ]] || continue
+  (cd "$folder" && apt-get -q -o APT::Sandbox::User=root download "$package")
+  dpkg-deb -x "$folder/$package"_*.deb "$folder/$package"
+done
+archive=$folder/libcgal-demo/usr/share/doc/libcgal-dev/data.tar.gz
+[[ ! -f "$archive" ]] || { tar -xzf "$archive" -C "$folder/libcgal-demo" && rm "$archive"; }
+
+cd "$folder"
+mapfile -t meshes < <(find "${packages[@]}" -type f -size -40M \
+  \( -iname '*.off' -o -iname '*.obj' -o -iname '*.stl' -o -iname '*.ply' -o -iname '*.3mf' \) |
+  LC_ALL=C sort)
+{
+  cat <<'PAGE'
+# Repaired meshes
+
+What `sectile repair` makes of the meshes of Debian's packages libcgal-demo, assimp-testmodels and
+openscad-testing-data, by the rule `positive`; meshes that are open are taken with `--close-holes`.
+Made by `cmake/repaired_meshes.sh`.
+
+*as it is* says whether `from_mesh` takes the mesh. *points that agree*: of up to 1,000 random
+points, half of them close to faces, those which are in the solid exactly if the winding number of
+the mesh says so, computed from solid angles; "-" where faces were turned around, holes closed or
+polygons split, so that the mesh as it is has no winding numbers. *undecided*: too close to a face.
+
+PAGE
+  "$build"/tests/real/repair_table "${meshes[@]}"
+} > "$root/docs/repaired-meshes.md"

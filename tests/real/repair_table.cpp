@@ -1,0 +1,119 @@
+// Repairs meshes and prints a row of a table for each: repair_table FILE...
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+#include "real/winding_check.h"
+#include "sectile/sectile.h"
+
+namespace sectile::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Kind = RepairChange::Kind;
+
+std::string in_short(const RepairReport& report) {
+  std::string text;
+  for (const RepairChange& change : report.changes) {
+    if (!text.empty()) text += ", ";
+    std::string name = name_of(change.kind);
+    for (char& c : name)
+      if (c == '_') c = ' ';
+    text += std::to_string(change.count) + " " + name;
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+bool has(const RepairReport& report, Kind kind) {
+  for (const RepairChange& change : report.changes)
+    if (change.kind == kind) return true;
+  return false;
+}
+
+std::size_t triangles(const PolygonMesh& mesh) {
+  std::size_t sum = 0;
+  for (const std::uint32_t n : mesh.face_sizes) sum += n > 2 ? n - 2 : 0;
+  return sum;
+}
+
+// Where faces were turned or added, the winding numbers of the mesh as it is say nothing.
+std::string agreement(const PolygonMesh& mesh, const RepairReport& report, const Solid& solid) {
+  if (has(report, Kind::turned_faces) || has(report, Kind::closed_holes) ||
+      has(report, Kind::split_polygons))
+    return "-";
+  const PolygonMesh result = solid.to_mesh();
+  const std::size_t work = triangles(mesh) + triangles(result) + 1;
+  const std::size_t points = std::min<std::size_t>(1000, 400'000'000 / work);
+  const Agreement a = check_points(mesh, has(report, Kind::turned_parts), result, points);
+  return std::to_string(a.points - a.wrong - a.undecided) + " of " + std::to_string(a.points) +
+         (a.undecided > 0 ? ", " + std::to_string(a.undecided) + " undecided" : "") +
+         (a.wrong > 0 ? " **" + std::to_string(a.wrong) + " WRONG**" : "");
+}
+
+std::string before(const PolygonMesh& mesh) {
+  try {
+    Solid::from_mesh(mesh);
+    return "taken";
+  } catch (const InvalidSolid& error) {
+    switch (error.reason()) {
+      case InvalidSolid::Reason::open:
+        return "open";
+      case InvalidSolid::Reason::inconsistent:
+        return "inconsistent";
+      case InvalidSolid::Reason::inside_out:
+        return "inside out";
+      case InvalidSolid::Reason::self_intersecting:
+        return "crosses itself";
+      default:
+        return "refused";
+    }
+  }
+}
+
+void print_row(const std::string& file) {
+  const std::string name = std::filesystem::path(file).filename().string();
+  PolygonMesh mesh;
+  try {
+    mesh = read_mesh(file);
+  } catch (const FileError& error) {
+    std::cout << "| " << name << " | | not read: " << error.what() << " | | | | |\n";
+    return;
+  }
+  std::cout << "| " << name << " | " << mesh.face_sizes.size() << " | " << before(mesh) << " | "
+            << std::flush;
+  RepairReport report;
+  RepairOptions options;
+  Solid solid;
+  const auto start = Clock::now();
+  bool legal = true;
+  try {
+    try {
+      solid = repair(mesh, options, &report);
+    } catch (const InvalidSolid& error) {
+      if (error.reason() != InvalidSolid::Reason::open) throw;
+      options.close_holes = true;
+      solid = repair(mesh, options, &report);
+    }
+  } catch (const Error& error) {
+    std::cout << "refused: " << error.what() << " | | | |" << std::endl;
+    return;
+  }
+  const double ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  legal = validate(solid).empty();
+  char time[32];
+  std::snprintf(time, sizeof time, "%.1f", ms);
+  std::cout << in_short(report) << " | " << solid.counts().faces << (legal ? "" : " **ILLEGAL**")
+            << " | " << time << " | " << agreement(mesh, report, solid) << " |" << std::endl;
+}
+
+}  // namespace
+}  // namespace sectile::test
+
+int main(int count, char** names) {
+  std::cout
+      << "| mesh | faces | as it is | repair | faces of the solid | ms | points that agree |\n"
+         "|---|---|---|---|---|---|---|\n";
+  for (int i = 1; i < count; ++i) sectile::test::print_row(names[i]);
+}

@@ -1,0 +1,331 @@
+// What repair does to one thing that is wrong at a time, and what it says about it.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <random>
+
+#include "sectile/sectile.h"
+
+namespace sectile {
+namespace {
+
+using Kind = RepairChange::Kind;
+using Face = std::vector<std::uint32_t>;
+
+class Builder {
+ public:
+  Builder& box(const Vec3& low, const Vec3& high, bool turned = false) {
+    const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
+    for (unsigned i = 0; i < 8; ++i)
+      mesh_.positions.push_back(
+          {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+    for (Face f : {Face{0, 2, 3, 1}, Face{4, 5, 7, 6}, Face{0, 1, 5, 4}, Face{2, 6, 7, 3},
+                   Face{0, 4, 6, 2}, Face{1, 3, 7, 5}}) {
+      if (turned) std::reverse(f.begin(), f.end());
+      for (std::uint32_t& v : f) v += first;
+      face(f);
+    }
+    return *this;
+  }
+  Builder& face(const Face& f) {
+    mesh_.face_sizes.push_back(static_cast<std::uint32_t>(f.size()));
+    mesh_.indices.insert(mesh_.indices.end(), f.begin(), f.end());
+    return *this;
+  }
+  Builder& point(const Vec3& p) {
+    mesh_.positions.push_back(p);
+    return *this;
+  }
+  PolygonMesh mesh() const { return mesh_; }
+
+ private:
+  PolygonMesh mesh_;
+};
+
+PolygonMesh without_face(PolygonMesh mesh, std::size_t f) {
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < f; ++i) first += mesh.face_sizes[i];
+  const auto at = mesh.indices.begin() + static_cast<std::ptrdiff_t>(first);
+  mesh.indices.erase(at, at + mesh.face_sizes[f]);
+  mesh.face_sizes.erase(mesh.face_sizes.begin() + static_cast<std::ptrdiff_t>(f));
+  return mesh;
+}
+
+PolygonMesh with_turned_face(PolygonMesh mesh, std::size_t f) {
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < f; ++i) first += mesh.face_sizes[i];
+  const auto at = mesh.indices.begin() + static_cast<std::ptrdiff_t>(first);
+  std::reverse(at, at + mesh.face_sizes[f]);
+  return mesh;
+}
+
+std::size_t count(const RepairReport& report, Kind kind) {
+  std::size_t sum = 0;
+  for (const RepairChange& change : report.changes)
+    if (change.kind == kind) sum += change.count;
+  return sum;
+}
+
+struct Repaired {
+  Solid solid;
+  RepairReport report;
+};
+
+Repaired repaired(const PolygonMesh& mesh, const RepairOptions& options = {}) {
+  Repaired r;
+  r.solid = repair(mesh, options, &r.report);
+  EXPECT_TRUE(validate(r.solid).empty());
+  return r;
+}
+
+TEST(RepairCases, ALegalMeshIsTakenAsItIs) {
+  const PolygonMesh mesh = Builder().box({0, 0, 0}, {1, 1, 1}).mesh();
+  const Repaired r = repaired(mesh);
+  EXPECT_TRUE(r.report.changes.empty());
+  EXPECT_EQ(r.solid.counts().faces, 6u);
+  EXPECT_TRUE(r.solid == Solid::from_mesh(mesh));
+  EXPECT_NE(r.solid.origin(), 0u);
+}
+
+TEST(RepairCases, TwoCubesThatOverlapInAnyOrder) {
+  const PolygonMesh mesh =
+      Builder().box({0, 0, 0}, {1, 1, 1}).box({0.5, 0.5, 0.5}, {2, 2, 2}).mesh();
+  std::mt19937 random(3);
+  for (int round = 0; round < 16; ++round) {
+    PolygonMesh turned = mesh;
+    for (std::size_t f = 0; f < 12; ++f)
+      std::rotate(turned.indices.begin() + long(4 * f),
+                  turned.indices.begin() + long(4 * f + random() % 4),
+                  turned.indices.begin() + long(4 * f + 4));
+    const Repaired r = repaired(turned);
+    EXPECT_EQ(r.solid.volume(), 1 + 3.375 - 0.125);
+    EXPECT_EQ(count(r.report, Kind::divided_faces), 6u);
+    EXPECT_EQ(boolean(r.solid, block({0.6, 0.6, 0.6}, {0.9, 0.9, 0.9}), Operation::intersect)
+                  .counts()
+                  .faces,
+              6u);
+  }
+}
+
+TEST(RepairCases, InsideOutAsAWhole) {
+  const Repaired r = repaired(Builder().box({0, 0, 0}, {1, 1, 1}, true).mesh());
+  EXPECT_EQ(r.solid.volume(), 1);
+  EXPECT_EQ(count(r.report, Kind::turned_parts), 1u);
+}
+
+TEST(RepairCases, InsideOutWithItsCavity) {
+  const Repaired r =
+      repaired(Builder().box({0, 0, 0}, {3, 3, 3}, true).box({1, 1, 1}, {2, 2, 2}, false).mesh());
+  EXPECT_EQ(r.solid.volume(), 26);
+  EXPECT_EQ(count(r.report, Kind::turned_parts), 1u);
+}
+
+TEST(RepairCases, OneOfTwoPartsInsideOut) {
+  const Repaired r =
+      repaired(Builder().box({0, 0, 0}, {1, 1, 1}, true).box({2, 0, 0}, {4, 1, 1}).mesh());
+  EXPECT_EQ(r.solid.volume(), 3);
+  EXPECT_EQ(count(r.report, Kind::turned_parts), 1u);
+}
+
+TEST(RepairCases, ACavityStays) {
+  const Repaired r =
+      repaired(Builder().box({0, 0, 0}, {3, 3, 3}).box({1, 1, 1}, {2, 2, 2}, true).mesh());
+  EXPECT_EQ(r.solid.volume(), 26);
+  EXPECT_TRUE(r.report.changes.empty());
+}
+
+TEST(RepairCases, AnInnerPartGoes) {
+  const Repaired r = repaired(Builder().box({0, 0, 0}, {3, 3, 3}).box({1, 1, 1}, {2, 2, 2}).mesh());
+  EXPECT_EQ(r.solid.volume(), 27);
+  EXPECT_EQ(count(r.report, Kind::removed_faces), 6u);
+}
+
+TEST(RepairCases, FlushPartsBecomeOne) {
+  const Repaired r = repaired(Builder().box({0, 0, 0}, {1, 1, 1}).box({1, 0, 0}, {2, 1, 1}).mesh());
+  EXPECT_EQ(r.solid.volume(), 2);
+  EXPECT_EQ(r.solid.area(), 10);
+  EXPECT_EQ(count(r.report, Kind::overlaps), 1u);
+}
+
+TEST(RepairCases, TheSamePartTwice) {
+  const Repaired r = repaired(Builder().box({0, 0, 0}, {1, 1, 1}).box({0, 0, 0}, {1, 1, 1}).mesh());
+  EXPECT_EQ(r.solid.volume(), 1);
+  EXPECT_EQ(r.solid.counts().faces, 6u);
+  EXPECT_EQ(count(r.report, Kind::overlaps), 6u);
+  RepairOptions odd;
+  odd.rule = Rule::odd;
+  EXPECT_TRUE(repaired(Builder().box({0, 0, 0}, {1, 1, 1}).box({0, 0, 0}, {1, 1, 1}).mesh(), odd)
+                  .solid.is_empty());
+}
+
+TEST(RepairCases, FacesThatContradictTheirNeighbours) {
+  PolygonMesh mesh = Builder().box({0, 0, 0}, {1, 1, 1}).mesh();
+  for (const std::size_t f : {1u, 4u}) mesh = with_turned_face(mesh, f);
+  const Repaired r = repaired(mesh);
+  EXPECT_EQ(r.solid.volume(), 1);
+  EXPECT_EQ(count(r.report, Kind::turned_faces), 2u);
+}
+
+TEST(RepairCases, AFaceTwice) {
+  for (const bool turned : {false, true}) {
+    Builder builder;
+    builder.box({0, 0, 0}, {1, 1, 1});
+    builder.face(turned ? Face{1, 3, 2, 0} : Face{0, 2, 3, 1});
+    const Repaired r = repaired(builder.mesh());
+    EXPECT_EQ(r.solid.volume(), 1) << turned;
+    EXPECT_EQ(count(r.report, Kind::removed_copies), 1u) << turned;
+  }
+}
+
+TEST(RepairCases, TwoOppositeFacesBetweenNothing) {
+  Builder builder;
+  builder.box({0, 0, 0}, {1, 1, 1});
+  builder.point({3, 0, 0}).point({4, 0, 0}).point({3, 1, 0});
+  builder.face({8, 9, 10}).face({10, 9, 8});
+  const Repaired r = repaired(builder.mesh());
+  EXPECT_EQ(r.solid.volume(), 1);
+  EXPECT_EQ(count(r.report, Kind::removed_faces), 2u);
+}
+
+TEST(RepairCases, CornersWithinEdges) {
+  Builder builder;
+  builder.box({0, 0, 0}, {1, 1, 1});
+  PolygonMesh mesh = without_face(builder.mesh(), 1);  // the top, again in two halves
+  mesh.positions.push_back({0.5, 0, 1});
+  mesh.positions.push_back({0.5, 1, 1});
+  for (const Face& f : {Face{4, 8, 9, 6}, Face{8, 5, 7, 9}}) {
+    mesh.face_sizes.push_back(4);
+    mesh.indices.insert(mesh.indices.end(), f.begin(), f.end());
+  }
+  const Repaired r = repaired(mesh);
+  EXPECT_EQ(r.solid.volume(), 1);
+  EXPECT_EQ(count(r.report, Kind::divided_edges), 2u);
+}
+
+TEST(RepairCases, HolesAreCountedAndClosedOnRequest) {
+  const PolygonMesh mesh = without_face(
+      without_face(Builder().box({0, 0, 0}, {1, 2, 3}).box({5, 0, 0}, {6, 1, 1}).mesh(), 7), 1);
+  RepairReport report;
+  try {
+    repair(mesh, {}, &report);
+    FAIL() << "holes were not refused";
+  } catch (const InvalidSolid& error) {
+    EXPECT_EQ(error.reason(), InvalidSolid::Reason::open);
+    EXPECT_NE(std::string(error.what()).find("2 holes"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("length 6"), std::string::npos) << error.what();
+  }
+  ASSERT_EQ(report.holes.size(), 2u);
+  EXPECT_EQ(report.holes[0].edges, 4u);
+  EXPECT_EQ(report.holes[0].length, 6);
+  EXPECT_EQ(report.holes[1].length, 4);
+  RepairOptions options;
+  options.close_holes = true;
+  const Repaired r = repaired(mesh, options);
+  EXPECT_EQ(r.solid.volume(), 7);
+  EXPECT_EQ(count(r.report, Kind::closed_holes), 2u);
+  EXPECT_EQ(r.report.holes.size(), 2u);
+}
+
+TEST(RepairCases, AHoleInNoPlane) {
+  PolygonMesh mesh = without_face(Builder().box({0, 0, 0}, {1, 1, 1}).mesh(), 1);
+  mesh.positions[7].z = 2;
+  mesh.positions[4].z = 2;
+  for (const Rule rule : {Rule::positive, Rule::nonzero, Rule::odd}) {
+    RepairOptions options;
+    options.rule = rule;
+    options.close_holes = true;
+    const Repaired r = repaired(mesh, options);
+    EXPECT_GT(r.solid.volume(), 1);
+    EXPECT_LT(r.solid.volume(), 2);
+  }
+}
+
+TEST(RepairCases, BordersThatNearlyCoincide) {
+  Builder builder;
+  builder.box({0, 0, 0}, {1, 1, 1});
+  PolygonMesh mesh = without_face(builder.mesh(), 1);
+  const double off = 1e-7;
+  mesh.positions.insert(mesh.positions.end(),
+                        {{off, 0, 1}, {1, off, 1}, {0, 1 - off, 1}, {1 - off, 1, 1}});
+  mesh.face_sizes.push_back(4);
+  for (const std::uint32_t v : {8u, 9u, 11u, 10u}) mesh.indices.push_back(v);
+  EXPECT_THROW(repair(mesh), InvalidSolid);
+  RepairOptions options;
+  options.stitch = 1e-6;
+  const Repaired r = repaired(mesh, options);
+  EXPECT_EQ(r.solid.volume(), 1);
+  EXPECT_EQ(count(r.report, Kind::stitched_vertices), 4u);
+  options.stitch = 1e-8;
+  EXPECT_THROW(repair(mesh, options), InvalidSolid);
+}
+
+// A prism over a bow tie: two of its faces cross themselves, one side goes around the wrong way.
+TEST(RepairCases, PolygonsThatCrossThemselves) {
+  Builder builder;
+  for (const double z : {0.0, 1.0})
+    builder.point({0, 0, z}).point({2, 2, z}).point({2, 0, z}).point({0, 2, z});
+  builder.face({3, 2, 1, 0}).face({4, 5, 6, 7});
+  builder.face({0, 1, 5, 4}).face({1, 2, 6, 5}).face({2, 3, 7, 6}).face({3, 0, 4, 7});
+  RepairOptions nonzero;
+  nonzero.rule = Rule::nonzero;
+  const Repaired r = repaired(builder.mesh(), nonzero);
+  EXPECT_EQ(r.solid.volume(), 2);
+  EXPECT_EQ(count(r.report, Kind::split_polygons), 2u);
+  EXPECT_EQ(repaired(builder.mesh()).solid.volume(), 1);  // half of it goes around negatively
+}
+
+TEST(RepairCases, ManySheetsAtALine) {
+  // Six wedges around the z axis, each a prism with edges of its own.
+  Builder builder;
+  const Vec3 around[] = {{2, 0, 0},   {1, 2, 0},  {-1, 2, 0}, {-2, 0, 0},
+                         {-1, -2, 0}, {1, -2, 0}, {2, -1, 0}};
+  double volume = 0;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const Vec3 &p = around[k], &q = around[k + 1];
+    const auto first = static_cast<std::uint32_t>(builder.mesh().positions.size());
+    for (const double z : {0.0, 1.0})
+      builder.point({0, 0, z}).point({p.x, p.y, z}).point({q.x, q.y, z});
+    for (Face f :
+         {Face{0, 2, 1}, Face{3, 4, 5}, Face{0, 1, 4, 3}, Face{1, 2, 5, 4}, Face{2, 0, 3, 5}}) {
+      for (std::uint32_t& v : f) v += first;
+      builder.face(f);
+    }
+    if (k < 5) volume += (p.x * q.y - p.y * q.x) / 2;
+  }
+  const Repaired r = repaired(builder.mesh());
+  EXPECT_EQ(r.solid.volume(), volume + (1 * -1 - -2 * 2) / 2.0);
+}
+
+TEST(RepairCases, OddNeedsNoOrientation) {
+  PolygonMesh mesh = Builder().box({0, 0, 0}, {2, 2, 2}).box({1, 1, 1}, {3, 3, 3}).mesh();
+  RepairOptions options;
+  options.rule = Rule::odd;
+  std::mt19937 random(5);
+  for (int round = 0; round < 20; ++round) {
+    PolygonMesh any = mesh;
+    for (std::size_t f = 0; f < 12; ++f)
+      if (random() % 2) any = with_turned_face(any, f);
+    EXPECT_EQ(repaired(any, options).solid.volume(), 14);
+  }
+}
+
+TEST(RepairCases, CanBeCancelled) {
+  const std::atomic<bool> cancel{true};
+  RepairOptions options;
+  options.cancel = &cancel;
+  EXPECT_THROW(repair(Builder().box({0, 0, 0}, {1, 1, 1}).mesh(), options), Cancelled);
+}
+
+TEST(RepairCases, ProgressRises) {
+  double last = 0;
+  RepairOptions options;
+  options.progress = [&](double done) {
+    EXPECT_GE(done, last);
+    last = done;
+  };
+  repair(Builder().box({0, 0, 0}, {1, 1, 1}).box({0.5, 0.5, 0.5}, {2, 2, 2}).mesh(), options);
+  EXPECT_EQ(last, 1);
+}
+
+}  // namespace
+}  // namespace sectile
