@@ -22,6 +22,7 @@ class PairTest {
 
   /// Nothing if the faces meet in common corners and edges only, or not at all.
   std::optional<Meeting> operator()(std::uint32_t f, std::uint32_t g) const {
+    if (facets_.size(f) == 3 && facets_.size(g) == 3 && are_neighbours_apart(f, g)) return {};
     const bool small = facets_.size(f) <= many && facets_.size(g) <= many;
     if (!small) return large(f, g);
     Corners in_f, in_g;
@@ -39,6 +40,56 @@ class PairTest {
   }
 
  private:
+  // Triangles with one or two common corners, which are all that they have in common: seen along
+  // an axis, or so far from each other's plane that doubles tell. Most pairs are of this kind.
+  bool are_neighbours_apart(std::uint32_t f, std::uint32_t g) const {
+    const std::uint32_t first_f = facets_.begin(f), first_g = facets_.begin(g);
+    PointId a[3], b[3];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      a[i] = facets_.from(first_f + i);
+      b[i] = facets_.from(first_g + i);
+    }
+    int count = 0;
+    std::uint32_t i = 0, j = 0;  // the last common corner
+    std::uint32_t sum_i = 0, sum_j = 0;
+    for (std::uint32_t k = 0; k < 3; ++k)
+      for (std::uint32_t l = 0; l < 3; ++l)
+        if (a[k] == b[l]) {
+          ++count;
+          sum_i += i = k;
+          sum_j += j = l;
+        }
+    if (count == 2) return is_across(f, a, 3 - sum_i, b[3 - sum_j]);
+    if (count != 1) return false;
+    const std::uint32_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+    return on_one_side(b[j1], b[j2], facets_.plane[f]) ||
+           on_one_side(a[i1], a[i2], facets_.plane[g]) ||
+           are_cones_apart(f, a[i], a[i1], a[i2], b[j1], b[j2]);
+  }
+
+  // Beyond the edge opposite to corner `apex` of f, seen along an axis?
+  bool is_across(std::uint32_t f, const PointId (&a)[3], std::uint32_t apex, PointId p) const {
+    const int axis = kernel_.main_axis(facets_.plane[f]);
+    return kernel_.turn(a[(apex + 1) % 3], a[(apex + 2) % 3], p, axis) !=
+           kernel_.normal(facets_.plane[f], axis);
+  }
+
+  bool on_one_side(PointId p, PointId q, PlaneId plane) const {
+    const Estimate at_p = kernel_.estimate(p, plane), at_q = kernel_.estimate(q, plane);
+    return at_p.decided() && at_q.decided() && at_p.sign() == at_q.sign();
+  }
+
+  // Is all of the cone at a corner between c and d strictly beyond a side of f's cone between a and
+  // b there, seen along an axis?
+  bool are_cones_apart(std::uint32_t f, PointId corner, PointId a, PointId b, PointId c,
+                       PointId d) const {
+    const int axis = kernel_.main_axis(facets_.plane[f]);
+    const Sign outer = -kernel_.normal(facets_.plane[f], axis);
+    return (kernel_.turn(corner, a, c, axis) == outer &&
+            kernel_.turn(corner, a, d, axis) == outer) ||
+           (kernel_.turn(b, corner, c, axis) == outer && kernel_.turn(b, corner, d, axis) == outer);
+  }
+
   struct Corners {
     std::array<bool, many> common{};
     std::uint32_t count = 0;
