@@ -1,6 +1,5 @@
 #include "careful_work.h"
 
-#include "interrupt.h"
 #include "problem.h"
 #include "write_solids.h"
 
@@ -22,15 +21,12 @@ void require_legal_results(const Operands& operands, const std::vector<Solid>& r
 std::vector<Written> compute_and_write(
     const Operands& operands, const std::vector<std::string>& outputs, const Options& options,
     Progress& progress, const std::function<std::vector<Solid>(const BooleanOptions&)>& work) {
-  const Interrupt interrupt;
   BooleanOptions how;
   how.validate = options.validate;
-  how.cancel = interrupt.requested();
   how.progress = [&](double done) { progress.fraction(done); };
   const std::vector<Solid> results = work(how);
   if (options.validate) require_legal_results(operands, results);
-  interrupt.check();
-  return write_solids(outputs, results, operands.unit, options, progress, interrupt);
+  return write_solids(outputs, results, operands.unit, options, progress);
 }
 
 }  // namespace sectile::cli

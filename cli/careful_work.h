@@ -14,8 +14,7 @@
 namespace sectile::cli {
 
 /// Calls `work` with the options that the command line asks for, and writes its results, one for
-/// each output. With --validate the results are checked first. Can be interrupted until the files
-/// appear.
+/// each output. With --validate the results are checked first.
 std::vector<Written> compute_and_write(
     const Operands& operands, const std::vector<std::string>& outputs, const Options& options,
     Progress& progress, const std::function<std::vector<Solid>(const BooleanOptions&)>& work);

@@ -33,18 +33,15 @@ std::vector<Written> convert_parts(const Arguments& arguments, const Model& mode
     operands.solids.push_back(import_input(operands.names.back(), mesh, progress));
     parts.push_back({name, operands.solids.back()});
   }
-  const Interrupt interrupt;
-  return write_parts(arguments.output, parts, model.unit, options, progress, interrupt);
+  return write_parts(arguments.output, parts, model.unit, options, progress);
 }
 
 // Several solids become one, where the format holds no more.
 std::vector<Written> convert_whole(const Arguments& arguments, const PolygonMesh& mesh,
                                    LengthUnit unit, const Options& options, Progress& progress) {
   const Solid solid = import_input(arguments.input, mesh, progress);
-  const Interrupt interrupt;
-  return arguments.keep_faces
-             ? write_faces(arguments.output, solid, mesh, options, interrupt)
-             : write_solids({arguments.output}, {solid}, unit, options, progress, interrupt);
+  return arguments.keep_faces ? write_faces(arguments.output, solid, mesh, options)
+                              : write_solids({arguments.output}, {solid}, unit, options, progress);
 }
 
 ExitCode run(const Arguments& arguments, const Options& options) {

@@ -44,6 +44,7 @@ class Failures {
 ExitCode run_and_tell(const std::string& command, const std::function<ExitCode()>& run,
                       const Options& options) {
   const Failures failures(command, options);
+  const Interrupt interrupt;
   try {
     return run();
   } catch (const IllegalInput& error) {

@@ -1,5 +1,8 @@
 #include "interrupt.h"
 
+#include <unistd.h>
+
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 
@@ -10,18 +13,31 @@ namespace {
 
 constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
 
-std::atomic<bool> requested_flag{false};
+// What handlers may use: nothing of this is locked.
+std::atomic<bool> requested{false}, deferred{false}, writing_ended{false}, at_terminal{false};
 std::atomic<int> received{SIGINT};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
+template <std::size_t size>
+void say(const char (&text)[size]) {
+  // If standard error takes no more, nobody reads it.
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, size - 1);
+}
+
 void handle(int signal) {
   received = signal;
-  requested_flag = true;
+  requested = true;
+  if (deferred) return;
+  if (at_terminal) say("\r\x1b[K");  // over the progress
+  if (!writing_ended) say("sectile: interrupted; nothing was written\n");
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);  // when the handler returns
 }
 
 }  // namespace
 
 Interrupt::Interrupt() {
+  at_terminal = isatty(STDERR_FILENO) != 0;
   struct sigaction action {};
   action.sa_handler = handle;
   action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
@@ -41,12 +57,17 @@ Interrupt::~Interrupt() {
   }
 }
 
-const std::atomic<bool>* Interrupt::requested() const {
-  return &requested_flag;
+Deferral::Deferral() {
+  deferred = true;
 }
 
-void Interrupt::check() const {
-  if (requested_flag) throw Cancelled();
+Deferral::~Deferral() {
+  writing_ended = true;
+  deferred = false;
+}
+
+void Deferral::check() const {
+  if (requested) throw Cancelled();
 }
 
 void end_by_signal() {

@@ -1,20 +1,28 @@
-// Stops work in order when a person presses Ctrl-C.
+// Ends the program in order when a person presses Ctrl-C.
 #pragma once
-
-#include <atomic>
 
 namespace sectile::cli {
 
-/// While one exists, the first SIGINT, SIGTERM or SIGHUP only asks for cancellation; the second
-/// ends the program at once. Outside, signals do what they always do: there is nothing to clean up.
+/// While one exists, SIGINT, SIGTERM and SIGHUP end the program at once and say that nothing was
+/// written, unless it was: there is nothing to clean up. Without one, signals do what they always
+/// do.
 class Interrupt {
  public:
   Interrupt();
   ~Interrupt();
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
+};
 
-  const std::atomic<bool>* requested() const;
+/// While one exists within the life of an Interrupt, the first signal waits for the program to ask;
+/// the second ends the program at once. For moments in which half a file would be left.
+class Deferral {
+ public:
+  Deferral();
+  ~Deferral();
+  Deferral(const Deferral&) = delete;
+  Deferral& operator=(const Deferral&) = delete;
+
   /// Throws Cancelled if a signal came.
   void check() const;
 };

@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <set>
 #include <sstream>
 
+#include "interrupt.h"
 #include "problem.h"
 
 namespace sectile::cli {
@@ -87,13 +89,17 @@ Output rendered(const std::string& name, const Model& model, const Options& opti
 }
 
 void write_outputs(const std::vector<Output>& outputs) {
+  std::optional<Deferral> deferral;
   WholeFiles files;
   std::vector<const Output*> special;
   for (const Output& output : outputs)
-    if (is_standard(output.name) || is_special(output.name))
+    if (is_standard(output.name) || is_special(output.name)) {
       special.push_back(&output);
-    else
+    } else {
+      if (!deferral) deferral.emplace();  // files beside their places would be left
       files.add(output.name, output.content);
+    }
+  if (deferral) deferral->check();
   // What went down a pipe cannot be taken back, so this must not follow a file in its place.
   for (const Output* output : special) write_special(*output);
   files.place();

@@ -26,7 +26,7 @@ FileFormat output_format(const std::string& name, const Options& options);
 /// Throws FileError if the format cannot hold the model.
 Output rendered(const std::string& name, const Model& model, const Options& options);
 
-/// Throws FileError; then nothing was changed.
+/// Throws FileError, or Cancelled if a signal came meanwhile; then nothing was changed.
 void write_outputs(const std::vector<Output>& outputs);
 
 /// Does one of them go to standard output?

@@ -9,7 +9,6 @@
 #include "careful_work.h"
 #include "command.h"
 #include "input.h"
-#include "interrupt.h"
 #include "json.h"
 #include "output.h"
 #include "problem.h"
@@ -33,7 +32,6 @@ ExitCode run(const Arguments& arguments, const Options& options) {
   out.exceptions(std::ios::badbit);  // a stream would hide that memory ran out
   write_trace(out, operands.solids[0], operands.solids[1], arguments.operation);
   const std::string trace = std::move(out).str();
-  const Interrupt interrupt;  // half a file would be left
   write_outputs({{arguments.output, trace}});
   if (options.json)
     std::cout << Json{{"command", "trace"},

@@ -22,8 +22,8 @@ std::optional<Problem> problem_of_rounding(const PolygonMesh& mesh) {
 
 class SolidWriter {
  public:
-  SolidWriter(const Options& options, Progress& progress, const Interrupt& interrupt)
-      : options_(options), progress_(progress), interrupt_(interrupt) {}
+  SolidWriter(const Options& options, Progress& progress)
+      : options_(options), progress_(progress) {}
 
   /// What the file `name` will hold.
   void add(const std::string& name, const std::vector<NamedSolid>& solids, LengthUnit unit) {
@@ -41,11 +41,9 @@ class SolidWriter {
                          {},
                          part_name(solids[i].name, i, solids.size())});
       model.meshes.push_back({solids[i].name, std::move(mesh)});
-      interrupt_.check();
     }
     outputs.push_back(rendered(name, model, options_));
     if (options_.validate) validate_last(solids.size());
-    interrupt_.check();
   }
 
   std::vector<Written> written;
@@ -63,35 +61,30 @@ class SolidWriter {
 
   const Options& options_;
   Progress& progress_;
-  const Interrupt& interrupt_;
 };
 
 }  // namespace
 
 std::vector<Written> write_solids(const std::vector<std::string>& names,
                                   const std::vector<Solid>& solids, LengthUnit unit,
-                                  const Options& options, Progress& progress,
-                                  const Interrupt& interrupt) {
-  SolidWriter writer(options, progress, interrupt);
+                                  const Options& options, Progress& progress) {
+  SolidWriter writer(options, progress);
   for (std::size_t i = 0; i < names.size(); ++i) writer.add(names[i], {{{}, solids[i]}}, unit);
   write_outputs(writer.outputs);
   return writer.written;
 }
 
 std::vector<Written> write_parts(const std::string& name, const std::vector<NamedSolid>& solids,
-                                 LengthUnit unit, const Options& options, Progress& progress,
-                                 const Interrupt& interrupt) {
-  SolidWriter writer(options, progress, interrupt);
+                                 LengthUnit unit, const Options& options, Progress& progress) {
+  SolidWriter writer(options, progress);
   writer.add(name, solids, unit);
   write_outputs(writer.outputs);
   return writer.written;
 }
 
 std::vector<Written> write_faces(const std::string& name, const Solid& solid,
-                                 const PolygonMesh& mesh, const Options& options,
-                                 const Interrupt& interrupt) {
+                                 const PolygonMesh& mesh, const Options& options) {
   const Output output = rendered(name, {LengthUnit::millimeter, {{{}, mesh}}}, options);
-  interrupt.check();
   write_outputs({output});
   const auto triangles = static_cast<std::size_t>(
       std::count(mesh.face_sizes.begin(), mesh.face_sizes.end(), std::uint32_t{3}));

@@ -24,7 +24,7 @@ namespace {
 
 // Cancels if asked to, and tells how far the work is.
 void step(const Workspace& w, double done) {
-  if (w.options.cancel && *w.options.cancel) throw Cancelled();
+  w.check_cancelled();
   if (w.options.progress) w.options.progress(done);
 }
 

@@ -8,14 +8,19 @@
 #include <cstddef>
 #include <vector>
 
+#include "boolean/workspace.h"
+
 namespace sectile {
 
 /// Calls body(i, output) for i = 0 … count - 1; `output` is one Output for each block of the loop.
+/// Throws Cancelled within a block's time if that was asked for.
 template <class Output, class Body>
-std::vector<Output> collect(std::size_t count, std::size_t block, const Body& body) {
+std::vector<Output> collect(const Workspace& w, std::size_t count, std::size_t block,
+                            const Body& body) {
   const std::size_t blocks = (count + block - 1) / block;
   std::vector<Output> outputs(blocks);
   const auto run = [&](std::size_t b) {
+    w.check_cancelled();
     const std::size_t end = std::min(count, (b + 1) * block);
     for (std::size_t i = b * block; i < end; ++i) body(i, outputs[b]);
   };

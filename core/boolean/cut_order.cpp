@@ -42,7 +42,10 @@ class CutOrder {
     leaving_.reserve(w_.cut_ends.size());
     for_each_place(w_, [&](std::span<const std::uint32_t> sites) { leave_place(sites); });
     group_by_site();
-    for (const Site& site : w_.sites) sort(site);
+    for (const Site& site : w_.sites) {
+      w_.check_cancelled();
+      sort(site);
+    }
     for (std::uint32_t i = 0; i < leaving_.size(); ++i) w_.cut_ends[i] = leaving_[i].end;
   }
 

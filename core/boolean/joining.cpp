@@ -99,11 +99,13 @@ class Joiner {
 }  // namespace
 
 void join_null_edges(Workspace& w) {
-  for (const Segment& segment : w.segments)
+  for (const Segment& segment : w.segments) {
+    w.check_cancelled();
     for (std::uint32_t i = 0; i < segment.carrier_count; ++i) {
       Carrier& carrier = w.carriers[segment.first_carrier + i];
       if (carrier.cut) Joiner(w, segment, carrier).run();
     }
+  }
 }
 
 }  // namespace sectile

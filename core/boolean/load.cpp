@@ -181,10 +181,10 @@ FaceId loaded_face(const Patch& patch, FaceId face) {
 namespace {
 
 // Pairs of faces whose boxes overlap, but for those that have a hub in common.
-void add_pairs(const SolidData& a, const SolidData& b, const SlotPairs& slots,
+void add_pairs(const Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs& slots,
                const CommonHubs& hubs, FacePairs& pairs) {
   const auto parts =
-      collect<FacePairs>(slots.pairs().size(), 8, [&](std::size_t i, FacePairs& out) {
+      collect<FacePairs>(w, slots.pairs().size(), 8, [&](std::size_t i, FacePairs& out) {
         const auto [s, t] = slots.pairs()[i];
         BoxTree::overlaps(
             a.slot(s).block->tree(), b.slot(t).block->tree(),
@@ -204,7 +204,7 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs
   const SlotPairs slots(a, b);
   const CommonHubs hubs(a, b, slots);
   pairs.clear();
-  add_pairs(a, b, slots, hubs, pairs);
+  add_pairs(w, a, b, slots, hubs, pairs);
   hubs.add_pairs(pairs);
   w.patch[0] = load_patch(a, faces_of(pairs, false), w.geometry);
   w.patch[1] = load_patch(b, faces_of(pairs, true), w.geometry);

@@ -242,6 +242,7 @@ void find_neighborhoods(Workspace& w, std::span<const Operation> wanted) {
     for (to = from + 1; to < records.size() && records[to].place[0] == records[from].place[0] &&
                         records[to].place[1] == records[from].place[1];)
       ++to;
+    w.check_cancelled();
     build(records.subspan(from, to - from));
   }
 }

@@ -92,7 +92,10 @@ class SiteSplitter {
 
 void insert_null_edges(Workspace& w) {
   SiteSplitter splitter(w);
-  for (Site& site : w.sites) splitter.run(site);
+  for (Site& site : w.sites) {
+    w.check_cancelled();
+    splitter.run(site);
+  }
 }
 
 }  // namespace sectile

@@ -2,11 +2,13 @@
 // the phases.
 #pragma once
 
+#include <atomic>
 #include <memory>
 
 #include "boolean/records.h"
 #include "geometry/kernel.h"
 #include "sectile/boolean.h"
+#include "sectile/errors.h"
 
 namespace sectile {
 
@@ -40,6 +42,11 @@ struct Workspace {
 
   const Kernel& tests() const { return *kernel; }
   PointId point(std::uint32_t place) const { return places[place]; }
+
+  /// Throws Cancelled if that was asked for. Loops that take long call it now and then.
+  void check_cancelled() const {
+    if (options.cancel && options.cancel->load(std::memory_order_relaxed)) throw Cancelled();
+  }
 };
 
 }  // namespace sectile

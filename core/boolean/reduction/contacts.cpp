@@ -182,7 +182,7 @@ void make_points(Workspace& w) {
     ConstructedPoint point;
   };
   std::vector<Made> made(w.contacts.size());
-  collect<int>(w.contacts.size(), 64, [&](std::size_t i, int&) {
+  collect<int>(w, w.contacts.size(), 64, [&](std::size_t i, int&) {
     Contact& c = w.contacts[i];
     PointId known;
     for (int s = 0; s < 2; ++s) {
@@ -253,9 +253,10 @@ std::span<const Hit> ContactTable::find(int solid, Entity piercer, FaceId face) 
 }
 
 ContactTable find_contacts(Workspace& w, const FacePairs& candidates) {
-  auto outputs = collect<PairOutput>(candidates.size(), 128, [&](std::size_t i, PairOutput& out) {
-    PairTest(w, out)(candidates[i].first, candidates[i].second);
-  });
+  auto outputs =
+      collect<PairOutput>(w, candidates.size(), 128, [&](std::size_t i, PairOutput& out) {
+        PairTest(w, out)(candidates[i].first, candidates[i].second);
+      });
   ContactTable table;
   for (PairOutput& out : outputs) {
     for (int s = 0; s < 2; ++s) {

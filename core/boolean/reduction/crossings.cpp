@@ -107,7 +107,7 @@ bool add_crossings(Workspace& w) {
     const CrossingEdges edges(w, s);
     using Found = std::vector<Crossing>;
     for (const Found& found :
-         collect<Found>(edges.groups(), 1, [&](std::size_t i, Found&out) { edges(i, out); }))
+         collect<Found>(w, edges.groups(), 1, [&](std::size_t i, Found&out) { edges(i, out); }))
       append(crossings, found);
   }
   if (crossings.empty()) return false;

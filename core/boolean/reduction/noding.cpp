@@ -97,9 +97,9 @@ void split_at_places(Workspace& w) {
   const Noding noding(w);
   using Records = std::vector<SegmentRecord>;
   Records pieces;
-  for (const Records& r : collect<Records>(w.records.size(), 128, [&](std::size_t i, Records&out) {
-         noding.split(w.records[i], out);
-       }))
+  for (const Records& r :
+       collect<Records>(w, w.records.size(), 128,
+                        [&](std::size_t i, Records&out) { noding.split(w.records[i], out); }))
     append(pieces, r);
   w.records = std::move(pieces);
 }

@@ -334,7 +334,8 @@ void find_segments(Workspace& w, const ContactTable& table) {
     Records records;
     CrossingFaces::Scratch scratch;
   };
-  for (const Output& o : collect<Output>(table.pairs.size(), 128, [&](std::size_t i, Output&out) {
+  for (const Output& o :
+       collect<Output>(w, table.pairs.size(), 128, [&](std::size_t i, Output&out) {
          if (table.pairs[i].coplanar) return;
          CrossingFaces(w, table, out.scratch, out.records)(table.pairs[i]);
        }))
@@ -342,7 +343,7 @@ void find_segments(Workspace& w, const ContactTable& table) {
   for (int s = 0; s < 2; ++s) {
     const EdgeNodes nodes(w, s);
     for (const Records& r :
-         collect<Records>(table.in_plane[s].size(), 128, [&](std::size_t i, Records&out) {
+         collect<Records>(w, table.in_plane[s].size(), 128, [&](std::size_t i, Records&out) {
            EdgeInPlane(w, table, nodes, s, out)(table.in_plane[s][i]);
          }))
       append(w.records, r);

@@ -99,7 +99,7 @@ void add_touched_faces(Workspace& w, const ContactTable& table) {
   for (int s = 0; s < 2; ++s) {
     const TouchedFaces touched(w, s);
     for (const Records& r : collect<Records>(
-             flush.size(), 64, [&](std::size_t i, Records&out) { touched(flush[i], out); }))
+             w, flush.size(), 64, [&](std::size_t i, Records&out) { touched(flush[i], out); }))
       append(found, r);
   }
   append(w.records, found);
