@@ -43,7 +43,7 @@ BenchScene bench_scene(bool combined) {
 class Bench {
  public:
   Bench(int width, int height, const Scene& scene)
-      : context_(make_osmesa_context(width, height)), app_(*context_, {}) {
+      : context_(make_offscreen_context(width, height)), app_(*context_, {}) {
     const auto path = std::filesystem::temp_directory_path() / "sectile_viewer_bench.sectile";
     write_scene(path, {scene, {}});
     app_.open(path);

@@ -34,7 +34,7 @@ AppDriver::AppDriver(int width, int height, float scale)
     : AppDriver(waiting(), width, height, scale) {}
 
 AppDriver::AppDriver(const AppOptions& options, int width, int height, float scale)
-    : context_(make_osmesa_context(width, height, scale)) {
+    : context_(make_offscreen_context(width, height, scale)) {
   app_ = std::make_unique<App>(*context_, options);
   settle();
 }

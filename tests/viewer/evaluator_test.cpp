@@ -161,8 +161,9 @@ TEST(Evaluator, GivesTheNewestRequestInTheEnd) {
     last = evaluator.request(scene);
   }
   evaluator.wait();
-  EXPECT_FALSE(evaluator.is_busy());
+  EXPECT_TRUE(evaluator.is_busy()) << "its result was not taken yet";
   EXPECT_EQ(evaluator.latest()->request, last);
+  EXPECT_FALSE(evaluator.is_busy());
   EXPECT_EQ(evaluator.latest()->find(made)->solid, evaluate(scene).find(made)->solid);
 }
 

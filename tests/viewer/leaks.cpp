@@ -2,5 +2,6 @@
 extern "C" const char* __lsan_default_suppressions();
 
 extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libOSMesa\nleak:libLLVM\nleak:libGLX\nleak:swrast_dri\nleak:libX11\nleak:libglfw\n";
+  return "leak:libOSMesa\nleak:libEGL\nleak:libgallium\nleak:libLLVM\nleak:libGLX\nleak:swrast_"
+         "dri\nleak:libX11\nleak:libglfw\n";
 }

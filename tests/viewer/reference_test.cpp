@@ -31,7 +31,7 @@ class Easel {
   }
 
  private:
-  std::unique_ptr<GraphicsContext> context_ = make_osmesa_context(width, height, 1);
+  std::unique_ptr<GraphicsContext> context_ = make_offscreen_context(width, height, 1);
   Renderer renderer_{*context_};
 };
 

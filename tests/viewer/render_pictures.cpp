@@ -29,7 +29,7 @@ double orbit(Renderer& renderer, Picture picture, const Viewport& viewport, int 
 }
 
 void draw_all(const std::string& folder, int width, int height, float scale) {
-  const auto context = make_osmesa_context(width, height, scale);
+  const auto context = make_offscreen_context(width, height, scale);
   Renderer renderer(*context);
   const Viewport viewport{0, 0, width, height};
   for (DemoPicture& demo : demo_pictures()) {

@@ -39,7 +39,7 @@ Image drawn(Renderer& renderer, const Picture& picture) {
 }
 
 Image drawn(const Picture& picture) {
-  const auto context = make_osmesa_context(width, height);
+  const auto context = make_offscreen_context(width, height);
   Renderer renderer(*context);
   return drawn(renderer, picture);
 }
@@ -79,7 +79,7 @@ Camera some_camera(std::mt19937& random) {
 }
 
 TEST(Renderer, DrawsAgainWhateverChanged) {
-  const auto context = make_osmesa_context(width, height);
+  const auto context = make_offscreen_context(width, height);
   Renderer renderer(*context);
   Picture picture = plain_picture();
   picture.surfaces = {surface_of(block({-1, -1, -1}, {1, 1, 1}), red)};
@@ -368,8 +368,8 @@ TEST(Renderer, IsDeterministicToThePixel) {
 TEST(Renderer, SwitchesBetweenContexts) {
   Picture picture = plain_picture();
   picture.surfaces.push_back(surface_of(block({-1, -1, -1}, {1, 1, 1}), red));
-  const auto first_context = make_osmesa_context(width, height);
-  auto second_context = make_osmesa_context(width, height);
+  const auto first_context = make_offscreen_context(width, height);
+  auto second_context = make_offscreen_context(width, height);
   Renderer first(*first_context);
   auto second = std::make_unique<Renderer>(*second_context);
   const Image a = drawn(first, picture), b = drawn(*second, picture), c = drawn(first, picture);
@@ -381,7 +381,7 @@ TEST(Renderer, SwitchesBetweenContexts) {
 }
 
 TEST(Renderer, BuffersFollowTheirMeshes) {
-  const auto context = make_osmesa_context(width, height);
+  const auto context = make_offscreen_context(width, height);
   Renderer renderer(*context);
   Picture picture = plain_picture();
   for (int i = 0; i < 20; ++i) {
@@ -395,7 +395,7 @@ TEST(Renderer, BuffersFollowTheirMeshes) {
 }
 
 TEST(Renderer, DrawsTheInterfaceOverThePicture) {
-  const auto context = make_osmesa_context(width, height, 2);
+  const auto context = make_offscreen_context(width, height, 2);
   Renderer renderer(*context);
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
@@ -438,9 +438,25 @@ TEST(Renderer, DrawsTheInterfaceOverThePicture) {
   ImGui::DestroyContext();
 }
 
-TEST(Osmesa, RefusesImpossibleSizes) {
-  EXPECT_THROW(make_osmesa_context(0, 100), std::runtime_error);
-  EXPECT_THROW(make_osmesa_context(100, 100000), std::runtime_error);
+// On a machine without OSMesa the two are one.
+TEST(OffscreenContext, EglDrawsAsOsmesaDoes) {
+  const Picture picture = demo_pictures().front().picture;
+  const auto drawn_in = [&](GraphicsContext& context) {
+    Renderer renderer(context);
+    renderer.begin_frame();
+    renderer.draw(picture, {0, 0, 320, 240});
+    return renderer.read_frame();
+  };
+  const auto chosen = make_offscreen_context(320, 240), egl = make_egl_context(320, 240);
+  const Image by_egl = drawn_in(*egl);
+  EXPECT_LT(compare_images(drawn_in(*chosen), by_egl).share, 0.001);
+  EXPECT_EQ(drawn_in(*egl).rgba, by_egl.rgba) << "the contexts take turns";
+}
+
+TEST(OffscreenContext, RefusesImpossibleSizes) {
+  EXPECT_THROW(make_offscreen_context(0, 100), std::runtime_error);
+  EXPECT_THROW(make_offscreen_context(100, 100000), std::runtime_error);
+  EXPECT_THROW(make_egl_context(0, 100), std::runtime_error);
 }
 
 TEST(Embedded, HoldsFontsAndShaders) {

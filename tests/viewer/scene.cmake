@@ -3,3 +3,4 @@ sectile_test(viewer_scene_test SOURCES scene_test.cpp scene_file_test.cpp histor
 sectile_test(viewer_evaluator_test SOURCES evaluator_test.cpp LIBRARIES sectile_viewer_evaluation)
 sectile_test(viewer_picking_test SOURCES picking_test.cpp LIBRARIES sectile_viewer_scene)
 sectile_test(viewer_handles_test SOURCES handles_test.cpp LIBRARIES sectile_viewer_scene)
+sectile_test(viewer_background_test SOURCES background_test.cpp LIBRARIES sectile_viewer_events)

@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cstdlib>
 #include <deque>
+#include <thread>
 
 #include "demo_pictures.h"
+#include "events/background.h"
 #include "render/image_difference.h"
 #include "render/renderer.h"
 #include "render/window.h"
@@ -53,7 +55,7 @@ TEST(Window, ShowsTheSameAsMemory) {
   const Picture picture = demo_pictures().front().picture;
   Window window("Sectile", 640, 480, 1);
   ASSERT_EQ(window.width(), 640);
-  const auto memory = make_osmesa_context(640, 480);
+  const auto memory = make_offscreen_context(640, 480);
   Renderer on_screen(window), off_screen(*memory);
   const auto draw = [&](Renderer& renderer) {
     renderer.begin_frame();
@@ -97,6 +99,21 @@ TEST(Window, CollectsMouseAndKeys) {
   EXPECT_EQ(events.next("a text", Event::Kind::text).text, "A");
   act("key F5");
   EXPECT_EQ(events.next("a key", Event::Kind::key_down).key, Key::f5);
+}
+
+TEST(Window, FinishedWorkEndsItsWait) {
+  Window window("Sectile", 640, 480, 1);
+  window.wait(0.2);
+  window.take_input();
+  Background<int, int> worker([](int n, WorkState&) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    return std::optional(n);
+  });
+  worker.request(1);
+  // Other events may come of themselves, but hardly for a minute.
+  const auto start = std::chrono::steady_clock::now();
+  while (worker.is_working()) window.wait(60), window.take_input();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
 }
 
 TEST(Window, OpensAgainAfterItWasClosed) {

@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/event_queue.h"
+#include "app/interface_input.h"
 #include "app/navigation.h"
 #include "app/panels/panels.h"
 #include "app/picture_maker.h"
@@ -26,7 +27,7 @@ class InterfaceContext {
     io.IniFilename = io.LogFilename = nullptr;
     io.ConfigDragClickToInputText = true;
     io.ConfigInputTextCursorBlink = false;
-    EventQueue::map_keys();
+    interface_input::prepare();
   }
   ~InterfaceContext() { ImGui::DestroyContext(context_); }
   InterfaceContext(const InterfaceContext&) = delete;
@@ -64,6 +65,7 @@ class App::Implementation {
     session_.update(seconds, options_.wait_for_results);
     ImGui::NewFrame();
     react(fed);
+    was_busy_ = session_.is_busy();
     widgets_.begin_frame();
     draw_interface();
     if (options_.wait_for_results) session_.update(0, true);
@@ -74,8 +76,13 @@ class App::Implementation {
   }
 
   bool needs_frame() const {
-    return !events_.is_empty() || session_.is_busy() || session_.player.is_playing() ||
+    return !events_.is_empty() || was_busy_ || session_.is_busy() || session_.player.is_playing() ||
            session_.messages.is_fading() || settling_ > 0 || !is_at_rest();
+  }
+
+  double time_to_next_frame() const {
+    const bool moves = session_.player.is_playing() || settling_ > 0 || !is_at_rest();
+    return moves ? 1.0 / 60 : 0.5;
   }
 
   Image screenshot() { return renderer_.read_frame(); }
@@ -250,6 +257,7 @@ class App::Implementation {
   Fonts fonts_;
   float font_scale_ = 0;
   int settling_ = 2;
+  bool was_busy_ = false;  // when the last frame was drawn, which says so
   Camera seen_camera_;
   double still_for_ = 0;  // the camera, in seconds
   std::pair<std::shared_ptr<const Story>, std::size_t> followed_;
@@ -267,6 +275,9 @@ bool App::wants_to_close() const {
 }
 bool App::needs_frame() const {
   return implementation_->needs_frame();
+}
+double App::time_to_next_frame() const {
+  return implementation_->time_to_next_frame();
 }
 Image App::screenshot() {
   return implementation_->screenshot();

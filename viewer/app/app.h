@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/input.h"
+#include "events/input.h"
 #include "picture/picture.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
@@ -36,7 +36,10 @@ class App {
   void frame(const Input& input, double seconds);
   bool wants_to_close() const;
   bool needs_frame() const;  ///< something moves or is being computed
-  Image screenshot();        ///< of the last frame
+  /// How many seconds the next frame may wait while no event arrives. What is computed wakes the
+  /// window when it is done.
+  double time_to_next_frame() const;
+  Image screenshot();  ///< of the last frame
 
   // What tests and the command line drive and look at.
   void open(const std::filesystem::path& path);  ///< a scene or a mesh; errors appear in the window

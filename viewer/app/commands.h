@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/input.h"
 #include "app/session.h"
+#include "events/input.h"
 
 namespace sectile::viewer {
 

@@ -5,15 +5,12 @@
 #include <deque>
 #include <vector>
 
-#include "app/input.h"
+#include "events/input.h"
 
 namespace sectile::viewer {
 
 class EventQueue {
  public:
-  /// Tells ImGui which of our keys are its navigation and editing keys.
-  static void map_keys();
-
   void add(const Input& input);
   /// Hands ImGui as many events as one frame can show, in order, and returns them.
   std::vector<Event> feed();

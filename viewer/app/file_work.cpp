@@ -1,24 +1,30 @@
 #include "app/file_work.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace sectile::viewer {
 
 void FileWork::start(Kind kind, std::string activity, std::function<Finish()> work) {
-  running_.push_back(
-      {kind, std::move(activity), std::async(std::launch::async, std::move(work)), true});
+  auto thread = std::make_unique<Background<Task, Finish>>(
+      [](const Task& task, WorkState&) { return std::optional<Finish>(task()); });
+  thread->request(std::move(work));
+  works_.push_back({kind, std::move(activity), std::move(thread), {}, true});
 }
 
 void FileWork::finish(bool wait) {
   std::vector<Finish> finished;
-  std::erase_if(running_, [&](Work& work) {
-    const bool awaited = wait && work.wanted;
-    if (!awaited && work.outcome.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+  bool earlier_is_read = false;
+  std::erase_if(works_, [&](Work& work) {
+    if (wait && work.wanted) work.thread->wait();
+    if (!work.outcome) work.outcome = work.thread->take();
+    if (!work.wanted) return work.outcome.has_value();
+    const bool reads = work.kind == Kind::reading;
+    if (!work.outcome || (reads && earlier_is_read)) {
+      earlier_is_read = earlier_is_read || reads;
       return false;
-    Finish finish = work.outcome.get();
-    if (work.wanted) finished.push_back(std::move(finish));
+    }
+    finished.push_back(std::move(*work.outcome));
     return true;
   });
   // Only now, as they may start further works.
@@ -26,16 +32,16 @@ void FileWork::finish(bool wait) {
 }
 
 void FileWork::give_up_reading() {
-  for (Work& work : running_)
+  for (Work& work : works_)
     if (work.kind == Kind::reading) work.wanted = false;
 }
 
 bool FileWork::is_busy() const {
-  return std::any_of(running_.begin(), running_.end(), [](const Work& w) { return w.wanted; });
+  return std::any_of(works_.begin(), works_.end(), [](const Work& w) { return w.wanted; });
 }
 
 std::string FileWork::activity() const {
-  for (const Work& work : running_)
+  for (const Work& work : works_)
     if (work.wanted) return work.activity;
   return {};
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <future>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "events/background.h"
 
 namespace sectile::viewer {
 
@@ -16,7 +18,8 @@ class FileWork {
 
   /// `work` runs in a thread of its own and must not throw. `activity` tells people what it does.
   void start(Kind kind, std::string activity, std::function<Finish()> work);
-  /// Calls what the finished works have left to do. `wait`: until all are finished.
+  /// Calls what the finished works have left to do. What is read is handed over in the order in
+  /// which it was asked for, whatever is ready first. `wait`: until all are finished.
   void finish(bool wait);
   /// What is being read is not wanted any more. What is being written will be whole.
   void give_up_reading();
@@ -24,13 +27,15 @@ class FileWork {
   std::string activity() const;  ///< of the first work that runs; empty: none does
 
  private:
+  using Task = std::function<Finish()>;
   struct Work {
     Kind kind;
     std::string activity;
-    std::future<Finish> outcome;
+    std::unique_ptr<Background<Task, Finish>> thread;
+    std::optional<Finish> outcome;
     bool wanted = true;
   };
-  std::vector<Work> running_;
+  std::vector<Work> works_;
 };
 
 }  // namespace sectile::viewer

@@ -129,7 +129,8 @@ std::string Session::why_no_story() const {
 }
 
 bool Session::is_busy() const {
-  return evaluator_.is_busy() || files_.is_busy() || (mode_ == Mode::steps && player.is_busy());
+  return evaluator_.is_busy() || document.revision() != seen_revision_ || files_.is_busy() ||
+         (mode_ == Mode::steps && player.is_busy());
 }
 
 std::string Session::activity() const {

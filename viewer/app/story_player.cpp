@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <condition_variable>
-#include <mutex>
-#include <thread>
+
+#include "events/background.h"
 
 namespace sectile::viewer {
 namespace {
@@ -12,6 +11,7 @@ namespace {
 struct Request {
   std::vector<Solid> operands;
   Operation operation = Operation::unite;
+  std::uint64_t number = 0;
   bool is_same(const Request& other) const {
     return operation == other.operation &&
            std::equal(operands.begin(), operands.end(), other.operands.begin(),
@@ -21,6 +21,7 @@ struct Request {
 };
 
 struct Told {
+  std::uint64_t number = 0;  // of the request
   std::shared_ptr<const Story> story;
   std::string error;
 };
@@ -35,74 +36,38 @@ Told tell_story(const Request& request, const std::atomic<bool>& cancel) {
     auto story = std::make_shared<const Story>(
         Story::tell(a, request.operands.back(), request.operation, &cancel));
     for (const bool eight_way : {false, true}) story->prepare(eight_way);
-    return {std::move(story), {}};
+    return {request.number, std::move(story), {}};
   } catch (const Cancelled&) {
-    return {nullptr,
+    return {request.number, nullptr,
             "The steps were cancelled. Move an operand or choose Steps again to retell them."};
   } catch (const std::exception& error) {
-    return {nullptr, error.what()};
+    return {request.number, nullptr, error.what()};
   }
 }
 
 }  // namespace
 
 struct StoryPlayer::Teller {
-  std::mutex mutex;
-  std::condition_variable work, done;
-  Request request;
-  bool has_request = false, has_told = false, running = false, closing = false;
-  Told told;
-  std::atomic<bool> cancel{false};
-  std::thread thread;
-
-  void run() {
-    std::unique_lock lock(mutex);
-    while (true) {
-      work.wait(lock, [&] { return closing || has_request; });
-      if (closing) return;
-      const Request mine = request;
-      has_request = false;
-      running = true;
-      cancel = false;
-      lock.unlock();
-      Told mine_told = tell_story(mine, cancel);
-      lock.lock();
-      running = false;
-      if (!has_request) told = std::move(mine_told), has_told = true;
-      done.notify_all();
-    }
-  }
+  Request wanted;
+  Background<Request, Told> worker{[](const Request& request, WorkState& state) {
+    return std::optional<Told>(tell_story(request, state.cancelled()));
+  }};
 };
 
-StoryPlayer::StoryPlayer() : teller_(std::make_unique<Teller>()) {
-  teller_->thread = std::thread([teller = teller_.get()] { teller->run(); });
-}
-
-StoryPlayer::~StoryPlayer() {
-  {
-    const std::lock_guard lock(teller_->mutex);
-    teller_->closing = true;
-    teller_->cancel = true;
-  }
-  teller_->work.notify_all();
-  teller_->thread.join();
-}
+StoryPlayer::StoryPlayer() : teller_(std::make_unique<Teller>()) {}
+StoryPlayer::~StoryPlayer() = default;
 
 void StoryPlayer::tell(const std::vector<Solid>& operands, Operation operation) {
-  const std::lock_guard lock(teller_->mutex);
-  Request request{operands, operation};
-  if (request.is_same(teller_->request)) return;
-  teller_->request = std::move(request);
-  teller_->has_request = true;
-  teller_->cancel = true;
-  teller_->work.notify_all();
+  Request& wanted = teller_->wanted;
+  Request request{operands, operation, wanted.number + 1};
+  if (request.is_same(wanted)) return;
+  wanted = request;
+  teller_->worker.request(std::move(request));
 }
 
 void StoryPlayer::forget() {
-  const std::lock_guard lock(teller_->mutex);
-  teller_->request = {};
-  teller_->has_request = teller_->has_told = false;
-  teller_->cancel = true;
+  teller_->wanted = {{}, Operation::unite, teller_->wanted.number + 1};
+  teller_->worker.cancel();
   story_.reset();
   current_.reset();
   error_.clear();
@@ -110,31 +75,23 @@ void StoryPlayer::forget() {
 }
 
 bool StoryPlayer::is_busy() const {
-  const std::lock_guard lock(teller_->mutex);
-  return teller_->running || teller_->has_request || teller_->has_told;
+  return teller_->worker.is_busy();
 }
 
 void StoryPlayer::cancel() {
-  const std::lock_guard lock(teller_->mutex);
-  teller_->has_request = false;
-  teller_->cancel = true;
+  teller_->worker.cancel();
 }
 
 void StoryPlayer::update(double seconds, bool wait) {
-  Told told;
-  {
-    std::unique_lock lock(teller_->mutex);
-    if (wait) teller_->done.wait(lock, [&] { return !teller_->running && !teller_->has_request; });
-    if (teller_->has_told && !teller_->request.operands.empty()) {
-      told = std::move(teller_->told);
-      error_ = told.error;
+  if (wait) teller_->worker.wait();
+  std::optional<Told> told = teller_->worker.take();
+  if (told && told->number == teller_->wanted.number) {
+    error_ = told->error;
+    if (told->story) keep_place(std::move(told->story));
+    if (!error_.empty()) {
+      story_.reset();
+      current_.reset();
     }
-    teller_->has_told = false;
-  }
-  if (told.story) keep_place(std::move(told.story));
-  if (!error_.empty()) {
-    story_.reset();
-    current_.reset();
   }
   if (playing_ && story_) play_on(seconds);
 }

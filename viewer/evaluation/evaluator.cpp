@@ -2,12 +2,10 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
 #include <optional>
-#include <thread>
 
 #include "evaluation/scene_computation.h"
+#include "events/background.h"
 
 namespace sectile::viewer {
 
@@ -41,119 +39,78 @@ Bounds bounds_of(const Evaluation& evaluation, const Scene& scene, const std::ve
   return made;
 }
 
+namespace {
+
+std::shared_ptr<const Evaluation> all_failed(const Scene& scene, std::uint64_t number,
+                                             const std::string& error) {
+  auto made = std::make_shared<Evaluation>();
+  for (const NodeId id : scene.in_order()) made->nodes[id].error = error;
+  made->request = number;
+  return made;
+}
+
+}  // namespace
+
 class Evaluator::Implementation {
  public:
   explicit Implementation(std::function<void(const Scene&)> before_work)
-      : before_work_(std::move(before_work)), thread_([this] { work(); }) {}
-
-  ~Implementation() {
-    {
-      const std::lock_guard lock(mutex_);
-      stops_ = true;
-      cancel_ = true;
-    }
-    changed_.notify_all();
-    thread_.join();
-  }
+      : before_work_(std::move(before_work)), worker_([this](Wanted wanted, WorkState& state) {
+          return compute(wanted.scene, wanted.number, state);
+        }) {}
 
   std::uint64_t request(const Scene& scene) {
-    const std::lock_guard lock(mutex_);
-    wanted_ = scene;
-    has_newer_ = true;
-    if (is_running_ && Clock::now() - started_ > patience) cancel_ = true;
-    changed_.notify_all();
-    return ++number_;
+    worker_.request({scene, ++number_}, patience);
+    return number_;
   }
 
-  std::shared_ptr<const Evaluation> latest() const {
-    const std::lock_guard lock(mutex_);
+  std::shared_ptr<const Evaluation> latest() {
+    if (auto made = worker_.take()) latest_ = std::move(*made);
     return latest_;
   }
 
-  bool is_busy() const {
-    const std::lock_guard lock(mutex_);
-    return wanted_.has_value() || is_running_;
-  }
-
+  bool is_busy() const { return worker_.is_busy(); }
   double progress() const { return progress_; }
-
-  void cancel() {
-    const std::lock_guard lock(mutex_);
-    wanted_.reset();
-    has_newer_ = false;
-    if (is_running_) cancel_ = true;
-    changed_.notify_all();
-  }
-
-  void wait() {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return !wanted_ && !is_running_; });
-  }
+  void cancel() { worker_.cancel(); }
+  void wait() { worker_.wait(); }
 
  private:
-  void work() {
-    std::unique_lock lock(mutex_);
-    for (;;) {
-      changed_.wait(lock, [this] { return stops_ || wanted_; });
-      if (stops_) return;
-      const Scene scene = std::move(*wanted_);
-      wanted_.reset();
-      const std::uint64_t number = number_;
-      has_newer_ = cancel_ = false;
-      is_running_ = true;
-      started_ = Clock::now();
-      progress_ = 0;
-      lock.unlock();
-      std::shared_ptr<const Evaluation> made = compute(scene, number);
-      lock.lock();
-      if (made) latest_.swap(made);
-      is_running_ = false;
-      progress_ = 1;
-      changed_.notify_all();
-      lock.unlock();
-      made.reset();  // large solids take their time to go
-      lock.lock();
-    }
+  struct Wanted {
+    Scene scene;
+    std::uint64_t number = 0;
+  };
+  using Made = std::shared_ptr<const Evaluation>;
+
+  std::optional<Made> compute(const Scene& scene, std::uint64_t number, WorkState& state) {
+    progress_ = 0;
+    std::optional<Made> made = attempt(scene, number, state);
+    progress_ = 1;
+    return made;
   }
 
-  std::shared_ptr<const Evaluation> compute(const Scene& scene, std::uint64_t number) {
-    const auto tell = [this](double done) {
+  std::optional<Made> attempt(const Scene& scene, std::uint64_t number, WorkState& state) {
+    const auto tell = [&](double done) {
       progress_ = done;
-      if (has_newer_ && Clock::now() - started_ > patience) cancel_ = true;
+      if (state.has_newer() && state.lasted() > patience) state.cancel();
     };
     try {
       if (before_work_) before_work_(scene);
-      auto made = std::make_shared<Evaluation>(computation_.run(scene, &cancel_, tell));
+      auto made = std::make_shared<Evaluation>(computation_.run(scene, &state.cancelled(), tell));
       made->request = number;
-      made->seconds = seconds_since(started_);
+      made->seconds = std::chrono::duration<double>(state.lasted()).count();
       return made;
     } catch (const Cancelled&) {
-      return nullptr;
+      return std::nullopt;
     } catch (const std::exception& error) {
       return all_failed(scene, number, error.what());
     }
   }
 
-  static std::shared_ptr<const Evaluation> all_failed(const Scene& scene, std::uint64_t number,
-                                                      const std::string& error) {
-    auto made = std::make_shared<Evaluation>();
-    for (const NodeId id : scene.in_order()) made->nodes[id].error = error;
-    made->request = number;
-    return made;
-  }
-
   const std::function<void(const Scene&)> before_work_;
-  mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  std::optional<Scene> wanted_;
-  std::shared_ptr<const Evaluation> latest_;
   std::uint64_t number_ = 0;
-  bool is_running_ = false, stops_ = false;
-  Clock::time_point started_;  // written by the worker under the lock, read by it without
-  std::atomic<bool> has_newer_{false}, cancel_{false};
+  Made latest_;
   std::atomic<double> progress_{1};
   SceneComputation computation_;  // the worker's
-  std::thread thread_;            // last: it starts when all else is there
+  Background<Wanted, Made> worker_;
 };
 
 Evaluator::Evaluator(std::function<void(const Scene&)> before_work)
@@ -163,7 +120,7 @@ Evaluator::~Evaluator() = default;
 std::uint64_t Evaluator::request(const Scene& scene) {
   return implementation_->request(scene);
 }
-std::shared_ptr<const Evaluation> Evaluator::latest() const {
+std::shared_ptr<const Evaluation> Evaluator::latest() {
   return implementation_->latest();
 }
 bool Evaluator::is_busy() const {

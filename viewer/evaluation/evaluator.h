@@ -49,8 +49,8 @@ class Evaluator {
   /// What has been computed before is not computed again: a moved operand costs its ancestors only.
   std::uint64_t request(const Scene& scene);
   /// The newest finished evaluation; never blocks. Null before the first.
-  std::shared_ptr<const Evaluation> latest() const;
-  bool is_busy() const;
+  std::shared_ptr<const Evaluation> latest();
+  bool is_busy() const;     ///< something is computed, or is new and latest() was not called yet
   double progress() const;  ///< 0 … 1 of what runs
   void cancel();
   void wait();  ///< for tests and screenshots

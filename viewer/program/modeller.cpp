@@ -56,7 +56,7 @@ double seconds_since(std::chrono::steady_clock::time_point& last) {
 
 Image modeller_screenshot(const Arguments& arguments) {
   const float scale = arguments.scale > 0 ? arguments.scale : 1;
-  const auto context = make_osmesa_context(arguments.width, arguments.height, scale);
+  const auto context = make_offscreen_context(arguments.width, arguments.height, scale);
   AppOptions options;
   options.dark = arguments.dark;
   options.show_interface = arguments.interface;
@@ -90,7 +90,7 @@ void run_in_window(const Arguments& arguments, Window& window) {
   int frames_to_draw = frames_after_event;
   auto last = std::chrono::steady_clock::now();
   while (!app.wants_to_close()) {
-    window.wait(frames_to_draw > 0 ? 0 : 0.5);
+    window.wait(frames_to_draw > 0 ? 0 : app.time_to_next_frame());
     const Input input = window.take_input();
     if (window.take_damage() || !input.events.empty()) frames_to_draw = frames_after_event;
     // A blinking cursor in a text field.

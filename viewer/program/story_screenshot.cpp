@@ -69,7 +69,7 @@ Image story_screenshot(const Arguments& arguments) {
     picture.camera = arguments.camera->applied_to(picture.camera, picture.bounds(), aspect);
 
   const float scale = arguments.scale > 0 ? arguments.scale : 1;
-  const auto context = make_osmesa_context(arguments.width, arguments.height, scale);
+  const auto context = make_offscreen_context(arguments.width, arguments.height, scale);
   Renderer renderer(*context);
   renderer.begin_frame();
   renderer.draw(picture, {0, 0, arguments.width, arguments.height});

@@ -12,6 +12,16 @@ TurnTakingContext* current = nullptr;
 
 }  // namespace
 
+void check_size(int width, int height) {
+  if (width <= 0 || height <= 0 || width > 16384 || height > 16384)
+    throw std::runtime_error("A picture can be 1 to 16384 pixels wide and high");
+}
+
+std::unique_ptr<GraphicsContext> make_offscreen_context(int width, int height, float scale) {
+  return has_osmesa() ? make_osmesa_context(width, height, scale)
+                      : make_egl_context(width, height, scale);
+}
+
 void TurnTakingContext::make_current() {
   if (current == this) return;
   if (current) current->unbind();

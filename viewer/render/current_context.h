@@ -5,6 +5,9 @@
 
 namespace sectile::viewer {
 
+/// Throws std::runtime_error unless a picture of this size can be drawn.
+void check_size(int width, int height);
+
 /// What windows and memory contexts share: taking turns.
 class TurnTakingContext : public GraphicsContext {
  public:

@@ -1,5 +1,5 @@
-// An OpenGL 3.3 core context: a window (GLFW) or memory (OSMesa). Two small implementations; which
-// one is chosen at run time. No OpenGL call is made outside this folder.
+// An OpenGL 3.3 core context: a window (GLFW) or memory (OSMesa or EGL). Three small
+// implementations; which one is chosen at run time. No OpenGL call is made outside this folder.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,12 @@ class GraphicsContext {
   virtual void present() = 0;       ///< shows the frame (nothing to do off-screen)
 };
 
-/// Opens libOSMesa at run time; throws std::runtime_error with a message that says what to install.
+/// Draws into memory: by OSMesa, or by EGL where Mesa has no OSMesa any more (since 25.1). Both are
+/// opened at run time. Throws std::runtime_error with a message that says what to install.
+std::unique_ptr<GraphicsContext> make_offscreen_context(int width, int height, float scale = 1);
+
+bool has_osmesa();  ///< is its library installed?
 std::unique_ptr<GraphicsContext> make_osmesa_context(int width, int height, float scale = 1);
+std::unique_ptr<GraphicsContext> make_egl_context(int width, int height, float scale = 1);
 
 }  // namespace sectile::viewer

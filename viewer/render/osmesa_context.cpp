@@ -22,6 +22,7 @@ class Library {
     static const Library library;
     return library;
   }
+  static void* open() { return dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL); }
 
   void* (*create)(const int* attributes, void* share) = nullptr;
   void (*destroy)(void* context) = nullptr;
@@ -30,13 +31,8 @@ class Library {
   void (*(*get_function)(const char* name))() = nullptr;
 
  private:
-  Library() : handle_(dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL)) {
-    if (!handle_) {
-      throw std::runtime_error(
-          std::string("Pictures without a display need Mesa's off-screen library (Debian package "
-                      "libosmesa6): ") +
-          dlerror());
-    }
+  Library() : handle_(open()) {
+    if (!handle_) throw std::runtime_error("libOSMesa.so.8 is not installed");
     find(create, "OSMesaCreateContextAttribs");
     find(destroy, "OSMesaDestroyContext");
     find(make_current, "OSMesaMakeCurrent");
@@ -56,8 +52,7 @@ class OsmesaContext final : public TurnTakingContext {
  public:
   OsmesaContext(int width, int height, float scale)
       : width_(width), height_(height), scale_(scale) {
-    if (width <= 0 || height <= 0 || width > 16384 || height > 16384)
-      throw std::runtime_error("A picture can be 1 to 16384 pixels wide and high");
+    check_size(width, height);
     pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
     const int attributes[] = {osmesa_format,
                               osmesa_rgba,
@@ -103,6 +98,11 @@ class OsmesaContext final : public TurnTakingContext {
 };
 
 }  // namespace
+
+bool has_osmesa() {
+  static const bool has = Library::open() != nullptr;
+  return has;
+}
 
 std::unique_ptr<GraphicsContext> make_osmesa_context(int width, int height, float scale) {
   return std::make_unique<OsmesaContext>(width, height, scale);

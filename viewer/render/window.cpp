@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "events/wake.h"
 #include "render/window_events.h"
 
 namespace sectile::viewer {
@@ -66,6 +67,7 @@ Window::Window(const std::string& title, int width, int height, float scale)
   }
   glfwSwapInterval(1);
   collect_events(window_, input_, damaged_, *this);
+  set_wake(glfwPostEmptyEvent);
 }
 
 Window::~Window() {
@@ -74,6 +76,7 @@ Window::~Window() {
 }
 
 void Window::destroy() {
+  set_wake(nullptr);
   for (void* cursor : cursors_)
     if (cursor) glfwDestroyCursor(static_cast<GLFWcursor*>(cursor));
   glfwDestroyWindow(window_);
@@ -149,10 +152,6 @@ void Window::connect_clipboard() {
   io.GetClipboardTextFn = [](void* window) {
     return glfwGetClipboardString(static_cast<GLFWwindow*>(window));
   };
-}
-
-void Window::wake() {
-  glfwPostEmptyEvent();
 }
 
 void Window::bind() {

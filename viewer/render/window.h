@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/input.h"
+#include "events/input.h"
 #include "render/current_context.h"
 
 struct GLFWwindow;
@@ -24,7 +24,8 @@ class Window final : public TurnTakingContext {
   float scale() const override;
   void present() override;
 
-  /// Waits for events until some arrived or the time is over; returns at once if it is zero.
+  /// Waits for events until some arrived, wake() is called or the time is over; returns at once if
+  /// it is zero.
   void wait(double seconds);
   /// The events since the last call. Closing is an event: the window stays until it is destroyed.
   Input take_input();
@@ -37,8 +38,6 @@ class Window final : public TurnTakingContext {
   void set_cursor(int cursor);
   /// Lets copy and paste of the current ImGui context use the desktop's clipboard.
   void connect_clipboard();
-  /// Ends a wait; from any thread.
-  static void wake();
 
  protected:
   void bind() override;

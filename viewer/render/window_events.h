@@ -1,7 +1,7 @@
 // Turns what GLFW reports into plain events.
 #pragma once
 
-#include "app/input.h"
+#include "events/input.h"
 #include "render/graphics_context.h"
 
 struct GLFWwindow;

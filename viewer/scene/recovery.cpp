@@ -5,14 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <condition_variable>
 #include <cstdlib>
 #include <fstream>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <sstream>
-#include <thread>
+
+#include "events/background.h"
 
 namespace sectile::viewer {
 
@@ -83,34 +82,23 @@ class Recovery::Session {
   explicit Session(const fs::path& data) : folder_(new_folder(data)), lock_(folder_ / lock_name) {
     if (!lock_.take() || !lock_.write_number())
       throw FileError((folder_ / lock_name).string() + ": the file cannot be locked");
-    thread_ = std::thread([this] { work(); });
+    worker_.emplace([this](const Work& work, WorkState&) { return std::optional(attempt(work)); });
   }
 
   ~Session() {
-    {
-      const std::lock_guard lock(mutex_);
-      stops_ = true;
-      wanted_.reset();
-    }
-    changed_.notify_all();
-    thread_.join();
+    worker_.reset();
     std::error_code ignored;  // what stays is found, and offered, at the next start
     fs::remove_all(folder_, ignored);
   }
 
   void set(std::optional<SceneDocument> document, std::string title) {
-    const std::lock_guard lock(mutex_);
-    wanted_ = Work{std::move(document), std::move(title)};
-    changed_.notify_all();
+    worker_->request({std::move(document), std::move(title)});
   }
 
-  void flush() {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return !wanted_ && !is_writing_; });
-  }
+  void flush() { worker_->wait(); }
 
-  std::string error() const {
-    const std::lock_guard lock(mutex_);
+  std::string error() {
+    if (auto written = worker_->take()) error_ = std::move(*written);
     return error_;
   }
 
@@ -120,23 +108,7 @@ class Recovery::Session {
     std::string title;
   };
 
-  void work() {
-    std::unique_lock lock(mutex_);
-    for (;;) {
-      changed_.wait(lock, [this] { return stops_ || wanted_; });
-      if (stops_) return;
-      Work work = std::move(*wanted_);
-      wanted_.reset();
-      is_writing_ = true;
-      lock.unlock();
-      std::string error = attempt(work);
-      lock.lock();
-      error_ = std::move(error);
-      is_writing_ = false;
-      changed_.notify_all();
-    }
-  }
-
+  /// Why it could not be written; empty if all is well.
   std::string attempt(const Work& work) {
     try {
       if (work.document)
@@ -171,15 +143,11 @@ class Recovery::Session {
 
   const fs::path folder_;
   const Lock lock_;
-  mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  std::optional<Work> wanted_;
   std::string error_;
-  bool is_writing_ = false, stops_ = false;
   std::map<MeshPointer, std::string> meshes_;  // the files written; the thread's
   std::string title_;
   std::size_t last_mesh_ = 0;
-  std::thread thread_;
+  std::optional<Background<Work, std::string>> worker_;
 };
 
 Recovery::Recovery(const fs::path& data) : session_(std::make_unique<Session>(data)) {}

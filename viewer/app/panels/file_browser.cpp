@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "app/icons.h"
+#include "app/interface_input.h"
 #include "app/panels/panels.h"
 #include "app/words.h"
 
@@ -130,7 +131,7 @@ void draw_file_browser(PanelContext& context) {
   ImGui::SameLine();
   accept |= button(context, "browser.accept",
                    browser.asks_to_replace ? "Replace" : verb_of(browser.purpose), "", true, 110);
-  const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  const bool escaped = interface_input::was_pressed(Key::escape);
   if (cancel || escaped || !open || (accept && browser.accept())) {
     dialogs.browsing = false;
     ImGui::CloseCurrentPopup();

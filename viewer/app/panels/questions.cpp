@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/icons.h"
+#include "app/interface_input.h"
 #include "app/panels/panels.h"
 
 namespace sectile::viewer {
@@ -18,7 +19,7 @@ bool begin_window(const char* name, bool* open, float width) {
 }
 
 bool escape_pressed() {
-  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  return interface_input::was_pressed(Key::escape);
 }
 
 void draw_keys(PanelContext& context) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/icons.h"
+#include "app/interface_input.h"
 #include "app/panels/panels.h"
 #include "app/words.h"
 
@@ -206,8 +207,7 @@ class Tree {
     context_.widgets.record_item("tree.name");
     const bool left = ImGui::IsItemDeactivated();
     if (!entered && !left) return;
-    if (!ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
-      session_.rename(node.id, renaming.text);
+    if (!interface_input::was_pressed(Key::escape)) session_.rename(node.id, renaming.text);
     renaming = {};
   }
 
