@@ -1,8 +1,18 @@
 if(TARGET sectile_viewer_app)
   sectile_test(viewer_app_test
     LABEL viewer
-    SOURCES app_driver.cpp app_test.cpp app_drag_test.cpp app_tree_test.cpp app_work_test.cpp
+    SOURCES app_driver.cpp app_test.cpp app_drag_test.cpp app_habits_test.cpp app_tree_test.cpp
+            app_work_test.cpp typed_number_test.cpp
     LIBRARIES sectile_viewer_app)
+endif()
+
+# The program without a display: what it draws, and its exit codes.
+if(TARGET sectile_viewer)
+  sectile_test(viewer_program_test LABEL viewer SOURCES viewer_program_test.cpp
+               LIBRARIES sectile_viewer_render)
+  target_compile_definitions(viewer_program_test
+    PRIVATE SECTILE_VIEWER_PROGRAM="$<TARGET_FILE:sectile_viewer>")
+  add_dependencies(viewer_program_test sectile_viewer)
 endif()
 
 # The program itself with a real mouse and real keys, on a display that nobody sees.

@@ -108,7 +108,7 @@ class ProgramInWindow : public testing::Test {
   }
 
   bool open_window() {
-    const std::string search = "xdotool search --onlyvisible --name '^Sectile' 2>/dev/null";
+    const std::string search = "xdotool search --onlyvisible --name 'Sectile$' 2>/dev/null";
     if (!wait_for([&] { return !(window_ = found_by(search)).empty(); })) return false;
     return wait_for([&] { return found_by("xdotool getwindowfocus") == window_; },
                     [&] { act("windowfocus " + window_); });

@@ -92,7 +92,9 @@ TEST(SceneFile, NewNodesGetIdsThatWereNotUsed) {
 }
 
 TEST(SceneFile, ErrorsSayFileWhatAndWhere) {
-  EXPECT_NE(message_of("{ not json").find("some.sectile: "), std::string::npos);
+  EXPECT_EQ(
+      message_of("{\n not json"),
+      "some.sectile:2: this is no JSON, as scenes are: it ends too early or has a mark too many");
   EXPECT_NE(message_of("[1, 2]").find("not a scene"), std::string::npos);
   std::string text = scene_text({scene_of_everything(), ""});
   const auto with = [&](const std::string& from, const std::string& to) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/event_queue.h"
@@ -48,13 +49,14 @@ class App::Implementation {
         renderer_(context),
         session_(options.data_folder, options.dark) {
     if (!options_.data_folder.empty()) {
-      load_settings(settings_path(), session_.view);
+      load_settings(settings_path(), session_.view, session_.dialogs.browser.folder);
       session_.offer_recovery(options_.data_folder);
     }
   }
 
   ~Implementation() {
-    if (!options_.data_folder.empty()) save_settings(settings_path(), session_.view);
+    if (!options_.data_folder.empty())
+      save_settings(settings_path(), session_.view, session_.dialogs.browser.folder);
   }
 
   void frame(const Input& input, double seconds) {
@@ -62,12 +64,14 @@ class App::Implementation {
     events_.add(input);
     begin(seconds);
     const std::vector<Event> fed = events_.feed();
+    let_keys_walk_in_menus();
     session_.update(seconds, options_.wait_for_results);
     ImGui::NewFrame();
     react(fed);
     was_busy_ = session_.is_busy();
     widgets_.begin_frame();
     draw_interface();
+    if (!std::exchange(session_.typed.is_drawn, false)) session_.typed.field.clear();
     if (options_.wait_for_results) session_.update(0, true);
     follow_step();
     draw_picture(seconds);
@@ -120,6 +124,15 @@ class App::Implementation {
     session_.picture_size = {layout_.picture.width, layout_.picture.height};
   }
 
+  // Escape closes a menu and arrows walk in it; elsewhere these keys are ours. That a menu was open
+  // is asked before ImGui looks at the keys, as Escape is not to do two things.
+  void let_keys_walk_in_menus() {
+    menu_was_open_ =
+        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    ImGuiIO& io = ImGui::GetIO();
+    io.ConfigFlags = menu_was_open_ ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
+  }
+
   void react(const std::vector<Event>& fed) {
     // Two quiet frames let menus and tooltips come to rest.
     settling_ = fed.empty() ? std::max(0, settling_ - 1) : 2;
@@ -134,9 +147,8 @@ class App::Implementation {
 
   void press(const Event& event) {
     if (ImGui::GetIO().WantTextInput || session_.dialogs.is_open()) return;
-    const bool menu_open =
-        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-    if (menu_open) return;
+    if (!session_.typed.field.empty()) return;
+    if (menu_was_open_) return;
     if (event.key == Key::escape) return escape();
     if (!navigation_.is_dragging()) commands_.press(session_, event);
   }
@@ -256,6 +268,7 @@ class App::Implementation {
   Layout layout_;
   Fonts fonts_;
   float font_scale_ = 0;
+  bool menu_was_open_ = false;
   int settling_ = 2;
   bool was_busy_ = false;  // when the last frame was drawn, which says so
   Camera seen_camera_;
@@ -288,6 +301,12 @@ void App::open(const std::filesystem::path& path) {
 }
 void App::open_sample(const std::string& name) {
   implementation_->session().open_sample(name);
+}
+void App::start(Scene scene, const std::filesystem::path& path) {
+  implementation_->session().start(std::move(scene), path);
+}
+void App::add(const std::filesystem::path& path, std::shared_ptr<const PolygonMesh> mesh) {
+  implementation_->session().add_imported(path, std::move(mesh));
 }
 const Scene& App::scene() const {
   return implementation_->session().scene();
@@ -323,6 +342,13 @@ bool App::has_widget(const std::string& name) const {
 
 glm::dvec2 App::on_screen(const glm::dvec3& point) const {
   return implementation_->on_screen(point);
+}
+std::string App::title() const {
+  const Document& document = implementation_->session().document;
+  if (document.path().empty() && implementation_->session().scene().is_empty()) return "Sectile";
+  const std::string name =
+      document.path().empty() ? "unnamed" : document.path().filename().string();
+  return (document.is_changed() ? "*" : "") + name + " \u2013 Sectile";
 }
 std::string App::last_message() const {
   return implementation_->session().messages.last();

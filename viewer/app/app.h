@@ -44,6 +44,8 @@ class App {
   // What tests and the command line drive and look at.
   void open(const std::filesystem::path& path);  ///< a scene or a mesh; errors appear in the window
   void open_sample(const std::string& name);
+  void start(Scene scene, const std::filesystem::path& path);  ///< as it was read from a file
+  void add(const std::filesystem::path& path, std::shared_ptr<const PolygonMesh> mesh);
   const Scene& scene() const;
   const Camera& camera() const;
   void set_camera(const Camera& camera);
@@ -55,6 +57,7 @@ class App {
   /// Where a point of the world is in the window, in UI units.
   glm::dvec2 on_screen(const glm::dvec3& point) const;
   std::string last_message() const;
+  std::string title() const;       ///< of the window
   const Widgets& widgets() const;  ///< all of the last frame
   const Session& session() const;
 

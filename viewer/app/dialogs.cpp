@@ -91,6 +91,8 @@ bool FileBrowser::accept() {
     problem = path.filename().string() + " is there already. Press the button again to replace it.";
     return false;
   }
+  // The next file is wanted from where this one is.
+  folder = path.parent_path();
   if (chosen) chosen(path);
   return true;
 }

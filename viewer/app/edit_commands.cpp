@@ -37,7 +37,7 @@ std::vector<Command> edit_commands() {
        [](const Session& s) { return s.document.can_redo(); }},
       {"edit.duplicate",
        "Duplicate",
-       "Makes a copy beside the selected solids.",
+       "Makes a copy of the selected solids in the same place, and selects it.",
        "",
        {{'D', true}},
        [](Session& s) { s.duplicate_selected(); },

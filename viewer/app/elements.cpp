@@ -152,43 +152,4 @@ bool slider(PanelContext& context, const std::string& name, double& value, doubl
   return moved;
 }
 
-namespace {
-
-/// Is the last item a field whose number is being typed? Half a number is no value yet; and the
-/// text that Esc brings back has fewer digits than the value it stands for.
-bool is_typing() {
-  return ImGui::TempInputIsActive(ImGui::GetItemID());
-}
-
-}  // namespace
-
-Edited number_field(PanelContext& context, const std::string& name, double& value, double speed,
-                    float width, double low, double high) {
-  ImGui::SetNextItemWidth(width);
-  double shown = value;
-  Edited edited;
-  edited.changing = ImGui::DragScalar(("##" + name).c_str(), ImGuiDataType_Double, &shown,
-                                      static_cast<float>(speed), &low, &high, "%.6g",
-                                      ImGuiSliderFlags_AlwaysClamp) &&
-                    !is_typing();
-  if (edited.changing) value = shown;
-  edited.done = ImGui::IsItemDeactivatedAfterEdit();
-  context.widgets.record_item(name);
-  return edited;
-}
-
-Edited count_field(PanelContext& context, const std::string& name, std::uint32_t& value, int low,
-                   int high, float width) {
-  int whole = static_cast<int>(value);
-  ImGui::SetNextItemWidth(width);
-  Edited edited;
-  edited.changing = ImGui::DragInt(("##" + name).c_str(), &whole, 0.25f, low, high, "%d",
-                                   ImGuiSliderFlags_AlwaysClamp) &&
-                    !is_typing();
-  edited.done = ImGui::IsItemDeactivatedAfterEdit();
-  if (edited.changing) value = static_cast<std::uint32_t>(whole);
-  context.widgets.record_item(name);
-  return edited;
-}
-
 }  // namespace sectile::viewer

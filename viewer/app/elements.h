@@ -46,17 +46,6 @@ bool checkbox(PanelContext& context, const std::string& name, const char* text, 
 bool slider(PanelContext& context, const std::string& name, double& value, double low, double high,
             const char* format, float width = -1);
 
-/// What happened to a field in this frame.
-struct Edited {
-  bool changing = false;  ///< the value is another now
-  bool done = false;      ///< the change is complete: one step of undo
-};
-/// Drag to change, double click (or Ctrl and click) to type.
-Edited number_field(PanelContext& context, const std::string& name, double& value, double speed,
-                    float width, double low = -1e9, double high = 1e9);
-Edited count_field(PanelContext& context, const std::string& name, std::uint32_t& value, int low,
-                   int high, float width);
-
 void tooltip(const std::string& text);
 std::string tooltip_of(const Command& command);
 /// Wrapped text in the small font and a faint colour.

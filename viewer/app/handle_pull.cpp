@@ -157,6 +157,31 @@ void HandlePull::place_on_grid(Placement& placement, NodeId id, const std::vecto
   }
 }
 
+/// Which coordinates of a placement the handle can move at all.
+std::array<bool, 3> HandlePull::reached_coordinates(NodeId id) const {
+  Transform linear = start_.world_of_parent(id);
+  linear.m[3] = linear.m[7] = linear.m[11] = 0;
+  const Transform back = inverse(linear);
+  std::array<bool, 3> reached{};
+  for (const Vec3& direction : drag_.directions()) {
+    const glm::dvec3 own(matrix_of(back) * glm::dvec4(to_glm(direction), 0));
+    for (int axis = 0; axis < 3; ++axis) reached[static_cast<std::size_t>(axis)] |= own[axis] != 0;
+  }
+  return reached;
+}
+
+/// A handle of an axis moves along that axis and nowhere else, by not even the last bit.
+void HandlePull::keep_on_axis(Placement& placement, NodeId id) {
+  const std::array<bool, 3> reached = reached_coordinates(id);
+  Vec3 start = start_.at(id).placement.position;
+  for (int axis = 0; axis < 3; ++axis) {
+    double& now = coordinate(placement.position, axis);
+    if (reached[static_cast<std::size_t>(axis)] || now == coordinate(start, axis)) continue;
+    now = coordinate(start, axis);
+    state_.leaves_axis = true;
+  }
+}
+
 std::optional<Scene> HandlePull::moved_into_contact(const Session& session,
                                                     const glm::dvec3& offset, SnapScene& others) {
   const double reach =
@@ -172,12 +197,14 @@ std::optional<Scene> HandlePull::moved_into_contact(const Session& session,
                                       contacts.back().offset, contacts, others.ways_to(i));
     Placement& placement = scene.edit(nodes_[i]).placement;
     placement = landing.placement;
+    keep_on_axis(placement, nodes_[i]);
     state_.is_exact = state_.is_exact && landing.is_exact;
     if (nodes_.size() == 1 && is_identity(others.frame()))
       place_on_grid(placement, nodes_[i], contacts, grid_step(session, handles_.origin));
   }
   for (const Snap& contact : contacts)
     state_.is_exact = state_.is_exact && others.is_computed_alike(contact);
+  state_.is_exact = state_.is_exact && !state_.leaves_axis;
   const Transform before = start_.world(nodes_.back()), after = scene.world(nodes_.back());
   offset_ = {after.m[3] - before.m[3], after.m[7] - before.m[7], after.m[11] - before.m[11]};
   state_.text = told(offset_);
@@ -201,7 +228,9 @@ void HandlePull::show_contacts(const SnapScene& others, const std::vector<Snap>&
   }
   state_.text += " \u00B7 ";
   for (std::size_t i = 0; i < names.size(); ++i) state_.text += (i > 0 ? ", " : "") + names[i];
-  state_.text += state_.is_exact ? ": exact" : ": near, not exact (no double lies there)";
+  state_.text += state_.is_exact      ? ": exact"
+                 : state_.leaves_axis ? ": near, not exact (it lies beside the way of this handle)"
+                                      : ": near, not exact (no double lies there)";
 }
 
 Scene HandlePull::turned_or_scaled(HandleChange change, bool snapping) {

@@ -1,6 +1,7 @@
 // The handles of the selected solids, and a drag of one of them from press to release.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct PullState {
   std::vector<glm::vec3> edges;   ///< of what it touches: two ends for each
   std::vector<glm::vec3> points;  ///< where it touches
   bool is_contact = false, is_exact = false;
+  bool leaves_axis = false;  ///< to be exact, the contact would need more than this handle does
 };
 
 class HandlePull {
@@ -32,6 +34,8 @@ class HandlePull {
   const PullState& state() const { return state_; }
 
  private:
+  std::array<bool, 3> reached_coordinates(NodeId id) const;
+  void keep_on_axis(Placement& placement, NodeId id);
   Scene moved(Session& session, const glm::dvec3& offset, bool snapping, KnownTargets& known);
   std::optional<Scene> moved_into_contact(const Session& session, const glm::dvec3& offset,
                                           SnapScene& others);

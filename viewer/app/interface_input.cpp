@@ -30,18 +30,18 @@ constexpr std::pair<Key, int> keys[] = {{Key::tab, ImGuiKey_Tab},
                                         {static_cast<Key>('Y'), ImGuiKey_Y},
                                         {static_cast<Key>('Z'), ImGuiKey_Z}};
 
+}  // namespace
+
+#if IMGUI_VERSION_NUM >= 18700
+
+namespace {
+
 /// Negative if ImGui does not look at this key.
 int imgui_key(Key key) {
   for (const auto& [ours, theirs] : keys)
     if (ours == key) return theirs;
   return -1;
 }
-
-}  // namespace
-
-#if IMGUI_VERSION_NUM >= 18700
-
-namespace {
 
 // Another event says that the focus is back.
 void focused() {

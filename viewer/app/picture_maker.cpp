@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "picture/section_lines.h"
 #include "picture/theme.h"
 #include "scene/transforms.h"
 
@@ -49,11 +50,19 @@ class ShapeCollector {
       for (const NodeId child : node->children) add(child);
       return;
     }
-    const bool open = id == worked_on_;
+    const bool open = worked_on_ != 0 && session_.scene().is_below(worked_on_, id);
     // Where they coincide, the result's own edges are drawn over those of the operands.
-    if (open && session_.view.shown != Shown::result) add_operands(*node);
+    if (open && session_.view.shown != Shown::result) add_worked_on(id);
     if (!open || session_.view.shown != Shown::operands)
       add_surface(*node, colour_of(*node), Look::opaque);
+  }
+
+  /// The operands of the operation worked on, which may be far inside of what is drawn.
+  void add_worked_on(NodeId drawn) {
+    const Node& node = session_.scene().at(worked_on_);
+    if (worked_on_ != drawn && session_.is_selected(worked_on_))
+      add_surface(node, theme_.result, Look::outline);
+    add_operands(node);
   }
 
   void add_operands(const Node& node) {
@@ -112,7 +121,7 @@ class ShapeCollector {
     surface.edges = look != Look::tint;
     surface.yields = look == Look::tint;
     surface.silhouette = look == Look::outline && !session_.view.wireframe;
-    surface.highlighted = look != Look::tint && session_.is_selected(node.id);
+    surface.highlighted = look != Look::tint && session_.is_selected_with_group(node.id);
     if (look == Look::tint && session_.view.wireframe) return;
     shapes_.push_back(std::move(shape));
   }
@@ -192,7 +201,44 @@ Picture PictureMaker::make(const Session& session) {
   picture.surroundings.show_axes = view.axes;
   picture.section.active = view.section;
   if (view.section) picture.section.plane = session.section_plane();
+  if (view.section) outline_section(picture);
   return picture;
+}
+
+void PictureMaker::outline_section(Picture& picture) {
+  std::vector<Surface> cut;
+  for (const Surface& surface : picture.surfaces)
+    if (!surface.translucent && surface.faces && surface.mesh) cut.push_back(surface);
+  if (cut != cut_ || picture.section.plane != plane_) {
+    const Bounds bounds = picture.bounds();
+    // Less than a pixel, more than what floats lose.
+    const double aside = bounds.is_empty() ? 0 : 2e-4 * glm::length(bounds.high - bounds.low);
+    outlines_.clear();
+    for (const Surface& surface : cut) {
+      const std::vector<glm::vec3> more =
+          section_lines(*surface.mesh, surface.model, picture.section.plane, aside);
+      outlines_.insert(outlines_.end(), more.begin(), more.end());
+    }
+    cut_ = std::move(cut);
+    plane_ = picture.section.plane;
+  }
+  if (!outlines_.empty())
+    picture.lines.push_back({outlines_, picture.surroundings.edge, 2.5f, false});
+}
+
+Bounds Session::bounds_shown(bool selected_only) const {
+  if (mode_ == Mode::steps && player.story())
+    return player.picture({view.eight_way, view.exploded, false, view.dark}).bounds();
+  const auto is_meant = [&](NodeId id) {
+    if (!selected_only) return true;
+    for (const Node* node = scene().find(id); node; node = scene().find(node->parent))
+      if (is_selected(node->id)) return true;
+    return false;
+  };
+  Picture shown;
+  for (Shape& shape : visible_shapes(*this))
+    if (is_meant(shape.node)) shown.surfaces.push_back(std::move(shape.surface));
+  return shown.bounds();
 }
 
 bool Session::shows_operands() const {

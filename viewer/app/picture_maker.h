@@ -14,6 +14,7 @@ class PictureMaker {
 
  private:
   Picture model(const Session& session) const;
+  void outline_section(Picture& picture);
   const Picture& steps(const Session& session);
 
   // The last picture of the story, and what it was made for.
@@ -22,6 +23,10 @@ class PictureMaker {
   Phase phase_ = Phase::reduction;
   StoryView view_;
   Picture picture_;
+  // The outlines of the last section, and what they were made for.
+  std::vector<Surface> cut_;
+  glm::dvec4 plane_{0};
+  std::vector<glm::vec3> outlines_;
 };
 
 /// What is drawn of a node in the model.

@@ -57,6 +57,14 @@ bool Session::is_selected(NodeId id) const {
   return std::find(selection().begin(), selection().end(), id) != selection().end();
 }
 
+bool Session::is_selected_with_group(NodeId id) const {
+  if (is_selected(id)) return true;
+  const Node* node = scene().find(id);
+  const Node* parent = node ? scene().find(node->parent) : nullptr;
+  return parent && std::holds_alternative<Group>(parent->what) &&
+         is_selected_with_group(parent->id);
+}
+
 void Session::select(NodeId id, bool add) {
   if (id == 0) {
     if (!add) document.select({});
@@ -84,16 +92,18 @@ void Session::set_mode(Mode wanted) {
   mode_ = wanted;
 }
 
+void Session::look_at(const Bounds& bounds) {
+  if (!bounds.is_empty()) camera.look_at(bounds, picture_size.x / picture_size.y);
+}
+
 void Session::look_at_selection() {
-  Bounds bounds;
-  for (const NodeId id : selection()) bounds.add(bounds_of(id));
+  const Bounds bounds = bounds_shown(true);
   if (bounds.is_empty()) return look_at_all();
-  camera.look_at(bounds, picture_size.x / picture_size.y);
+  look_at(bounds);
 }
 
 void Session::look_at_all() {
-  const Bounds bounds = bounds_of_all();
-  if (!bounds.is_empty()) camera.look_at(bounds, picture_size.x / picture_size.y);
+  look_at(bounds_shown(false));
 }
 
 Bounds Session::bounds_of(NodeId id) const {
@@ -114,6 +124,16 @@ Bounds Session::bounds_of_all() const {
   return bounds;
 }
 
+void Session::show_section(bool on, int axis) {
+  view.section = on;
+  view.section_axis = axis;
+  const Bounds bounds = bounds_of_all();
+  if (!on || bounds.is_empty()) return;
+  const double low = bounds.low[axis], high = bounds.high[axis];
+  if (view.section_place <= low || view.section_place >= high)
+    view.section_place = 0.5 * (low + high);
+}
+
 glm::dvec4 Session::section_plane() const {
   glm::dvec4 plane{0, 0, 0, -view.section_place};
   plane[view.section_axis] = 1;
@@ -121,7 +141,7 @@ glm::dvec4 Session::section_plane() const {
 }
 
 void Session::after_saving(const std::string& about, std::function<void()> then) {
-  if (!document.is_changed() || scene().size() == 0) return then();
+  if (!document.is_changed()) return then();
   Question question;
   question.title = about;
   question.text = "The scene has changes that are not saved. Save them first?";

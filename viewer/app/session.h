@@ -14,6 +14,7 @@
 #include "app/document.h"
 #include "app/file_work.h"
 #include "app/messages.h"
+#include "app/number_field.h"
 #include "app/story_player.h"
 #include "app/view_settings.h"
 #include "evaluation/evaluator.h"
@@ -49,6 +50,8 @@ class Session {
   void redo();
 
   void new_scene();
+  void start(Scene scene, std::filesystem::path path);  ///< as it was read from a file
+  void add_imported(const std::filesystem::path& path, std::shared_ptr<const PolygonMesh> mesh);
   // Files are read and exported in the background; what went wrong becomes a message.
   void open(const std::filesystem::path& path);    ///< replaces a scene, adds a mesh
   void import(const std::filesystem::path& path);  ///< adds a mesh
@@ -63,7 +66,8 @@ class Session {
   // --- Selection ---
   const Selection& selection() const { return document.selection(); }
   bool is_selected(NodeId id) const;
-  void select(NodeId id, bool add = false);  ///< add: or take away, if it was selected
+  bool is_selected_with_group(NodeId id) const;  ///< it, or a group that it belongs to
+  void select(NodeId id, bool add = false);      ///< add: or take away, if it was selected
   void select(Selection ids) { document.select(std::move(ids)); }
   NodeId selected() const { return selection().empty() ? 0 : selection().back(); }
   /// The selected nodes that do not lie below another selected node, in the order of selection.
@@ -89,12 +93,18 @@ class Session {
   void keep_camera(const Camera& wanted) { camera = wanted, frame_next_ = false; }
   Bounds bounds_of(NodeId id) const;
   Bounds bounds_of_all() const;
+  /// Of what the picture shows, operands and parts pulled apart included: in the steps of the step;
+  /// else of what is selected, or of all.
+  Bounds bounds_shown(bool selected_only) const;
+  /// Where the section's plane would cut nothing it goes to the middle.
+  void show_section(bool on, int axis);
   /// The plane of the section in world coordinates: cut away is what lies on its positive side.
   glm::dvec4 section_plane() const;
 
   // --- Results ---
   const Evaluation* evaluation() const { return evaluation_.get(); }
-  const Solid* solid(NodeId id) const;    ///< null: not computed, or an error
+  /// Null: not computed, or an error, or a group that no operation uses.
+  const Solid* solid(NodeId id) const;
   std::string error_of(NodeId id) const;  ///< why there is none, in plain words; or empty
   /// The Boolean whose steps are shown: the selected one, the one above the selection, or the
   /// first.
@@ -125,6 +135,7 @@ class Session {
   bool snapping = true;
   std::string dragging;  ///< how far a drag of a handle has come and what it touches, in words
   Renaming renaming;
+  TypedField typed;
   bool adding = false;      ///< the list of primitives is to open
   bool view_panel = false;  ///< the view settings are open
   std::string typed_stop;   ///< a break point that is being typed
@@ -133,15 +144,17 @@ class Session {
  private:
   void evaluate();
   void take_evaluation();
-  void add_imported(const std::filesystem::path& path, std::shared_ptr<const PolygonMesh> mesh);
   /// `work` may throw what becomes a message.
   void in_background(FileWork::Kind kind, std::string activity,
                      std::function<FileWork::Finish()> work);
+  /// Whose union the solid of a node is: itself, or the members of a group. Empty if there is none.
+  std::vector<Solid> members_of(NodeId id) const;
   void tell_new_errors();
+  void tell_new_first_operands(const Scene& before);
   void tell_story();
+  void look_at(const Bounds& bounds);
   void frame_once_computed();
   std::vector<Solid> operands_of(const Node& node) const;
-  void start(Scene scene, std::filesystem::path path);
   void recover(const LostWork& work);
 
   Evaluator evaluator_;

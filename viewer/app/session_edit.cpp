@@ -89,20 +89,38 @@ void Session::duplicate_selected() {
   const std::vector<NodeId> chosen = topmost_selected();
   std::vector<NodeId> made;
   if (!chosen.empty() && change("Duplicate", [&](Scene& changed) {
-        for (const NodeId id : chosen) {
-          made.push_back(changed.duplicate(id));
-          changed.edit(made.back()).placement.position.x += 1;
-        }
+        for (const NodeId id : chosen) made.push_back(changed.duplicate(id));
       }))
     select(made);
 }
 
 void Session::remove_selected() {
   const std::vector<NodeId> chosen = topmost_selected();
-  if (!chosen.empty() && change("Delete", [&](Scene& changed) {
+  const Scene before = scene();
+  if (chosen.empty() || !change("Delete", [&](Scene& changed) {
         for (const NodeId id : chosen) changed.remove(id);
       }))
-    select(Selection());
+    return;
+  select(Selection());
+  tell_new_first_operands(before);
+}
+
+// Without the solid that others are cut out of, the next one takes its place: another solid.
+void Session::tell_new_first_operands(const Scene& before) {
+  for (const NodeId id : scene().in_order()) {
+    const Node& node = scene().at(id);
+    const auto* operation = std::get_if<BooleanNode>(&node.what);
+    if (!operation || operation->operation != Operation::subtract) continue;
+    if (before.at(id).children.empty()) continue;
+    const NodeId was = before.at(id).children.front();
+    if (scene().find(was)) continue;
+    messages.tell(
+        "\"" + before.at(was).name + "\", from which \"" + node.name + "\" was cut, is deleted: " +
+        (node.children.empty()
+             ? "nothing is left to cut."
+             : "now \"" + scene().at(node.children.front()).name + "\" stands in its place.") +
+        " Ctrl+Z takes this back.");
+  }
 }
 
 void Session::group_selected() {

@@ -1,6 +1,5 @@
 // Opening, saving, importing, exporting.
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 
 #include "app/samples_menu.h"
@@ -11,11 +10,19 @@
 namespace sectile::viewer {
 namespace {
 
-bool is_scene_file(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".sectile" || extension == ".json";
+// "/home/me/a.ply:3: no faces" says what is wrong, but not as people say it.
+std::string about_file(const std::string& error) {
+  const std::size_t colon = error.find(": ");
+  if (colon == std::string::npos) return error;
+  std::string place = error.substr(0, colon), line;
+  const std::size_t mark = place.rfind(':');
+  const bool has_line = mark != std::string::npos && mark + 1 < place.size() &&
+                        place.find_first_not_of("0123456789", mark + 1) == std::string::npos;
+  if (has_line) {
+    line = "line " + place.substr(mark + 1) + ": ";
+    place.resize(mark);
+  }
+  return std::filesystem::path(place).filename().string() + ": " + line + error.substr(colon + 2);
 }
 
 // Makes sure that a mesh bounds a solid before it comes into the scene.
@@ -50,6 +57,8 @@ void Session::in_background(FileWork::Kind kind, std::string activity,
   files_.start(kind, std::move(activity), [this, work = std::move(work)]() -> FileWork::Finish {
     try {
       return work();
+    } catch (const FileError& error) {
+      return [this, text = about_file(error.what())] { messages.error(text); };
     } catch (const std::exception& error) {
       return [this, text = std::string(error.what())] { messages.error(text); };
     }
@@ -109,6 +118,21 @@ bool Session::save(const std::filesystem::path& path) {
   return true;
 }
 
+std::vector<Solid> Session::members_of(NodeId id) const {
+  const Solid* own = solid(id);
+  const Node& node = scene().at(id);
+  if (own && !own->is_empty()) return {*own};
+  std::vector<Solid> members;
+  if (own || !std::holds_alternative<Group>(node.what)) return members;
+  for (const NodeId child : node.children) {
+    const std::vector<Solid> more = members_of(child);
+    // What is left out in silence would be missed.
+    if (more.empty()) return {};
+    members.insert(members.end(), more.begin(), more.end());
+  }
+  return members;
+}
+
 void Session::export_solid(const std::filesystem::path& path) {
   NodeId id = selected();
   if (selection().size() > 1 || (id == 0 && scene().roots().size() != 1)) {
@@ -116,14 +140,17 @@ void Session::export_solid(const std::filesystem::path& path) {
     return;
   }
   if (id == 0) id = scene().roots().front();
-  const Solid* exported = solid(id);
-  if (!exported || exported->is_empty()) {
+  const std::vector<Solid> exported = members_of(id);
+  if (exported.empty()) {
     messages.error("There is nothing to export: this solid is empty or could not be computed.");
     return;
   }
   in_background(FileWork::Kind::writing, "Writing " + path.filename().string() + "\u2026",
-                [this, path, solid = *exported]() -> FileWork::Finish {
-                  write_mesh(path, solid.to_mesh());
+                [this, path, exported]() -> FileWork::Finish {
+                  Solid whole = exported.front();
+                  for (std::size_t i = 1; i < exported.size(); ++i)
+                    whole = boolean(whole, exported[i], Operation::unite);
+                  write_mesh(path, whole.to_mesh());
                   return [this, path] {
                     messages.tell("Exported to " + path.filename().string() + ".");
                   };

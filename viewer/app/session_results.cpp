@@ -55,7 +55,7 @@ const Solid* Session::solid(NodeId id) const {
   if (!evaluation_) return nullptr;
   const auto found = evaluation_->nodes.find(id);
   if (found == evaluation_->nodes.end() || !found->second.error.empty()) return nullptr;
-  return &found->second.solid;
+  return found->second.is_computed ? &found->second.solid : nullptr;
 }
 
 std::string Session::error_of(NodeId id) const {

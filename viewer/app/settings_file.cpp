@@ -19,19 +19,28 @@ constexpr std::array<std::pair<const char*, bool ViewSettings::*>, 4> kept{{
 
 }  // namespace
 
-void load_settings(const std::filesystem::path& path, ViewSettings& settings) {
+void load_settings(const std::filesystem::path& path, ViewSettings& settings,
+                   std::filesystem::path& folder) {
   std::ifstream in(path);
-  std::string name;
-  bool value = false;
-  while (in >> name >> value)
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t blank = line.find(' ');
+    if (blank == std::string::npos) continue;
+    const std::string name = line.substr(0, blank), value = line.substr(blank + 1);
     for (const auto& [known, setting] : kept)
-      if (name == known) settings.*setting = value;
+      if (name == known && (value == "0" || value == "1")) settings.*setting = value == "1";
+    std::error_code error;
+    if (name == "folder" && std::filesystem::is_directory(value, error)) folder = value;
+  }
 }
 
-void save_settings(const std::filesystem::path& path, const ViewSettings& settings) {
+void save_settings(const std::filesystem::path& path, const ViewSettings& settings,
+                   const std::filesystem::path& folder) {
   std::string text;
   for (const auto& [name, setting] : kept)
     text += std::string(name) + (settings.*setting ? " 1\n" : " 0\n");
+  // A name with a line break would be two lines.
+  if (!folder.empty() && folder.string().find('\n') == std::string::npos)
+    text += "folder " + folder.string() + "\n";
   std::filesystem::create_directories(path.parent_path());
   write_whole(path, text);
 }

@@ -8,8 +8,11 @@
 namespace sectile::viewer {
 
 /// Without a file, or where a line says nothing known, the settings stay.
-void load_settings(const std::filesystem::path& path, ViewSettings& settings);
+/// `folder` is where the file browser was last.
+void load_settings(const std::filesystem::path& path, ViewSettings& settings,
+                   std::filesystem::path& folder);
 /// Throws FileError.
-void save_settings(const std::filesystem::path& path, const ViewSettings& settings);
+void save_settings(const std::filesystem::path& path, const ViewSettings& settings,
+                   const std::filesystem::path& folder);
 
 }  // namespace sectile::viewer

@@ -17,9 +17,10 @@ namespace sectile::viewer {
 /// The solid of each node in its world place, or why there is none.
 struct Evaluation {
   struct Entry {
-    Solid solid;        ///< in the world; empty for groups that no operation uses
-    Solid inside;       ///< the same in the node's own coordinates
-    std::string error;  ///< in words; then there is neither solid nor surface
+    Solid solid;              ///< in the world
+    Solid inside;             ///< the same in the node's own coordinates
+    std::string error;        ///< in words; then there is neither solid nor surface
+    bool is_computed = true;  ///< false for groups that no operation uses: they have no solid yet
     /// The boundary to draw and to pick, in the node's own coordinates, so that it stays the same
     /// object while the node is only moved. Null for what is empty, hidden or a group.
     std::shared_ptr<const SurfaceMesh> surface;

@@ -185,7 +185,8 @@ void SceneComputation::enter(NodeId id, const Transform& parent_world, bool is_n
   Evaluation::Entry& entry = made.nodes[id];
   entry.model = matrix_of(world);
   is_shown = is_shown && node.visible;
-  if (!is_group || is_needed) fill(node, world, is_shown, entry);
+  entry.is_computed = !is_group || is_needed;
+  if (entry.is_computed) fill(node, world, is_shown, entry);
   for (const NodeId child : node.children)
     enter(child, world, is_needed || !is_group, is_shown, made);
 }

@@ -1,7 +1,9 @@
 #include "program/arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -70,6 +72,16 @@ void set_size(Arguments& arguments, const std::string& text) {
   arguments.height = static_cast<int>(v[1]);
 }
 
+// What is written is a PNG, so its name must not say something else.
+void check_picture_name(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (!path.empty() && extension != ".png")
+    throw CLI::ValidationError(
+        "--screenshot", "'" + path.string() + "' must end in .png: pictures are written as PNG");
+}
+
 void check_sample(const std::string& name) {
   std::string known;
   for (const samples::Sample& sample : samples::all()) {
@@ -129,6 +141,7 @@ std::variant<Arguments, ExitCode> parse_arguments(int argc, char** argv) {
   try {
     program.parse(argc, argv);
     arguments.interface = !no_interface;
+    check_picture_name(arguments.screenshot);
     if (!phase.empty()) arguments.phase = phase_named(phase);
     if (!camera.empty()) arguments.camera = camera_from(camera);
     if (!size.empty()) set_size(arguments, size);

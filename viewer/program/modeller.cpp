@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 
 #include "app/app.h"
+#include "app/session.h"
+#include "program/phase_picture.h"
+#include "program/solid_file.h"
 #include "render/window.h"
+#include "scene/recovery.h"
+#include "scene/scene_file.h"
 
 namespace sectile::viewer {
 namespace {
@@ -18,24 +22,41 @@ constexpr double seconds_per_frame_of_screenshot = 0.25;
 // After an event the interface needs some frames until it has settled.
 constexpr int frames_after_event = 3;
 
-std::filesystem::path data_folder() {
-  const char* data = std::getenv("XDG_DATA_HOME");
-  if (data && *data) return std::filesystem::path(data) / "sectile";
-  const char* home = std::getenv("HOME");
-  if (home && *home) return std::filesystem::path(home) / ".local" / "share" / "sectile";
-  return {};
-}
-
 void open_all(App& app, const Arguments& arguments) {
   if (!arguments.sample.empty()) app.open_sample(arguments.sample);
   if (!arguments.scene.empty()) app.open(arguments.scene);
   for (const auto& file : arguments.files) app.open(file);
 }
 
+// For a picture: what cannot be read is an error, with the exit code of its kind.
+void open_all_or_throw(App& app, const Arguments& arguments) {
+  if (!arguments.sample.empty()) app.open_sample(arguments.sample);
+  if (!arguments.scene.empty()) app.start(read_scene(arguments.scene).scene, arguments.scene);
+  for (const std::filesystem::path& file : arguments.files) {
+    if (is_scene_file(file)) {
+      app.start(read_scene(file).scene, file);
+    } else {
+      auto mesh = std::make_shared<const PolygonMesh>(read_mesh(file));
+      solid_of_file(file, *mesh);
+      app.add(file, std::move(mesh));
+    }
+  }
+}
+
 void look(App& app, const Arguments& arguments) {
-  // Steps count from one here; too large a number is the phase's last step.
+  // Steps count from one here; none given is the phase's last step.
   if (arguments.phase)
     app.show_step(*arguments.phase, arguments.step == 0 ? SIZE_MAX : arguments.step - 1);
+}
+
+// Once its story is told: throws if there is none, or no such step.
+void check_step(const App& app, const Arguments& arguments) {
+  if (!arguments.phase) return;
+  const Story* story = app.session().player.story();
+  if (!story)
+    throw std::invalid_argument("--phase: there are no steps to show: " +
+                                app.session().why_no_story());
+  check_step_of(*story, *arguments.phase, arguments.step);
 }
 
 void place_camera(App& app, const Arguments& arguments) {
@@ -62,7 +83,7 @@ Image modeller_screenshot(const Arguments& arguments) {
   options.show_interface = arguments.interface;
   options.wait_for_results = true;
   App app(*context, options);
-  open_all(app, arguments);
+  open_all_or_throw(app, arguments);
   const auto settle = [&] {
     for (int i = 0; i < most_frames_of_screenshot; ++i) {
       app.frame(Input{}, seconds_per_frame_of_screenshot);
@@ -72,6 +93,7 @@ Image modeller_screenshot(const Arguments& arguments) {
   settle();
   look(app, arguments);
   settle();
+  check_step(app, arguments);
   place_camera(app, arguments);
   settle();
   return app.screenshot();
@@ -88,6 +110,7 @@ void run_in_window(const Arguments& arguments, Window& window) {
   look(app, arguments);
   bool camera_placed = false;
   int frames_to_draw = frames_after_event;
+  std::string title;
   auto last = std::chrono::steady_clock::now();
   while (!app.wants_to_close()) {
     window.wait(frames_to_draw > 0 ? 0 : app.time_to_next_frame());
@@ -103,6 +126,7 @@ void run_in_window(const Arguments& arguments, Window& window) {
     }
     app.frame(input, seconds_since(last));
     window.set_cursor(ImGui::GetMouseCursor());
+    if (app.title() != title) window.set_title(title = app.title());
     window.present();
     --frames_to_draw;
     if (!camera_placed && frames_to_draw == 0) place_camera(app, arguments), camera_placed = true;

@@ -16,13 +16,21 @@ StoryOperands sample_operands(const std::string& name) {
   return {sample.a, *block, Operation::intersect};
 }
 
+void check_step_of(const Story& story, Phase phase, std::size_t step) {
+  const auto [first, end] = story.range(phase);
+  if (step > end - first) {
+    const std::string has = end == first       ? "no steps"
+                            : end - first == 1 ? "only one step"
+                                               : "only " + std::to_string(end - first) + " steps";
+    throw std::invalid_argument("--step " + std::to_string(step) + ": phase " +
+                                std::string(name_of(phase)) + " has " + has);
+  }
+}
+
 Picture phase_picture(const Story& story, Phase phase, std::size_t step, const StoryView& view,
                       double aspect) {
   const auto [first, end] = story.range(phase);
-  if (step != last_step && step >= end - first) {
-    throw std::invalid_argument("phase " + std::string(name_of(phase)) + " has only " +
-                                std::to_string(end - first) + " steps");
-  }
+  if (step != last_step) check_step_of(story, phase, step + 1);
   Picture picture = first == end ? story.picture(phase, view)
                                  : story.picture(step == last_step ? end - 1 : first + step, view);
   picture.surroundings = theme(view.dark).surroundings;

@@ -25,4 +25,8 @@ constexpr std::size_t last_step = std::numeric_limits<std::size_t>::max();
 Picture phase_picture(const Story& story, Phase phase, std::size_t step, const StoryView& view,
                       double aspect);
 
+/// Throws std::invalid_argument if the phase has fewer steps than this; they count from one, and 0
+/// is right always.
+void check_step_of(const Story& story, Phase phase, std::size_t step);
+
 }  // namespace sectile::viewer

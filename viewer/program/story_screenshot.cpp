@@ -5,6 +5,7 @@
 #include "picture/surface_mesh.h"
 #include "picture/theme.h"
 #include "program/phase_picture.h"
+#include "program/solid_file.h"
 #include "render/renderer.h"
 #include "samples/samples.h"
 
@@ -16,8 +17,8 @@ StoryOperands operands_of(const Arguments& arguments) {
   if (!arguments.sample.empty()) {
     operands = sample_operands(arguments.sample);
   } else {
-    operands.a = Solid::from_mesh(read_mesh(arguments.files.at(0)));
-    operands.b = Solid::from_mesh(read_mesh(arguments.files.at(1)));
+    operands.a = solid_of_file(arguments.files[0], read_mesh(arguments.files[0]));
+    operands.b = solid_of_file(arguments.files[1], read_mesh(arguments.files[1]));
   }
   if (arguments.operation) operands.operation = *arguments.operation;
   return operands;

@@ -16,6 +16,8 @@ struct SceneDocument {
   std::string view;  ///< camera and view settings: any JSON value as text, or empty
 };
 
+bool is_scene_file(const std::filesystem::path& path);  ///< by its extension
+
 /// The file appears whole or not at all. Throws FileError.
 void write_scene(const std::filesystem::path& path, const SceneDocument& document);
 /// Throws FileError, whose message names the file, what is wrong and where.

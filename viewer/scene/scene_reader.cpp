@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -212,8 +214,14 @@ auto parsed(std::string_view text, const std::string& name, Read&& read) {
   try {
     const Json json = Json::parse(text);
     return read(Place{json, ""});
-  } catch (const Json::exception& error) {
-    throw FileError(name + ": " + error.what());
+  } catch (const Json::parse_error& error) {
+    const std::size_t end = std::min(text.size(), error.byte == 0 ? 0 : error.byte - 1);
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+    throw FileError(name + ":" + std::to_string(line) +
+                    ": this is no JSON, as scenes are: it ends too early or has a mark too many");
+  } catch (const Json::exception&) {
+    throw FileError(name + ": a value is of another kind than in a scene");
   } catch (const FileError& error) {
     throw FileError(name + ": " + error.what());
   }
@@ -232,6 +240,13 @@ SceneDocument parse_scene(std::string_view text, const std::string& name) {
 
 MeshPointer parse_mesh(std::string_view text, const std::string& name) {
   return parsed(text, name, mesh_at);
+}
+
+bool is_scene_file(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".sectile" || extension == ".json";
 }
 
 SceneDocument read_scene(const std::filesystem::path& path) {

@@ -21,13 +21,14 @@ class Fields {
     ImGui::PopFont();
     ImGui::SameLine();
     ImGui::TextDisabled("%s", kind_of(node_).c_str());
-    draw_error();
-    triple("Position", "position", node_.placement.position, 0.01);
-    triple("Rotation (degrees)", "rotation", node_.placement.rotation, 0.5);
-    triple("Scale", "scale", node_.placement.scale, 0.005);
+    triple("Position", "position", node_.placement.position, 0.01, Quantity::length);
+    triple("Rotation (degrees)", "rotation", node_.placement.rotation, 0.5, Quantity::angle);
+    triple("Scale", "scale", node_.placement.scale, 0.005, Quantity::plain);
     ImGui::Spacing();
     std::visit([&](auto& what) { draw_what(what); }, node_.what);
     draw_numbers();
+    // Below all fields, so that none moves under the pointer.
+    draw_error();
     apply();
   }
 
@@ -43,6 +44,7 @@ class Fields {
   void draw_error() {
     const std::string error = context_.session.error_of(node_.id);
     if (error.empty()) return;
+    ImGui::Separator();
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.84f, 0.24f, 0.12f, 1));
     ImGui::PushTextWrapPos(0);
     ImGui::Text("%s  %s", icons::warning, error.c_str());
@@ -51,7 +53,8 @@ class Fields {
     context_.widgets.record_item("properties.error");
   }
 
-  void triple(const char* text, const std::string& name, Vec3& value, double speed) {
+  void triple(const char* text, const std::string& name, Vec3& value, double speed,
+              Quantity quantity) {
     ImGui::PushFont(context_.fonts.small);
     ImGui::TextDisabled("%s", text);
     ImGui::PopFont();
@@ -63,7 +66,7 @@ class Fields {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (axis > 0) ImGui::SameLine(0, gap);
       edited(text, number_field(context_, "properties." + name + "." + "xyz"[axis], *values[axis],
-                                speed, width));
+                                speed, width, quantity));
       const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
       ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - 2}, high, packed(colours[axis]));
     }
@@ -77,7 +80,8 @@ class Fields {
 
   void length(const char* text, const std::string& name, double& value) {
     row(text);
-    edited(text, number_field(context_, "properties." + name, value, 0.01, -1, 1e-6, 1e6));
+    edited(text, number_field(context_, "properties." + name, value, 0.01, -1, Quantity::length,
+                              {1e-6, 1e6}));
   }
 
   void whole(const char* text, const std::string& name, std::uint32_t& value, int low, int high) {
@@ -88,14 +92,15 @@ class Fields {
   void draw_what(Primitive& p) {
     using Shape = Primitive::Shape;
     const Shape s = p.shape;
-    if (s == Shape::block || s == Shape::wedge) triple("Size", "size", p.size, 0.01);
+    if (s == Shape::block || s == Shape::wedge)
+      triple("Size", "size", p.size, 0.01, Quantity::length);
     if (s == Shape::prism || s == Shape::pyramid || s == Shape::cylinder || s == Shape::cone ||
         s == Shape::sphere || s == Shape::torus)
       length("Radius", "radius", p.radius);
     if (s == Shape::cone) {
       row("Top radius");
-      edited("Top radius",
-             number_field(context_, "properties.top_radius", p.top_radius, 0.01, -1, 0, 1e6));
+      edited("Top radius", number_field(context_, "properties.top_radius", p.top_radius, 0.01, -1,
+                                        Quantity::length, {0, 1e6}));
     }
     if (s == Shape::torus) length("Minor radius", "minor_radius", p.minor_radius);
     if (s == Shape::prism || s == Shape::pyramid || s == Shape::cylinder || s == Shape::cone ||
@@ -153,12 +158,14 @@ class Fields {
     for (std::size_t i = 0; i < 4; ++i) {
       if (i > 0) ImGui::SameLine(0, 4);
       edited("Move the plane", number_field(context_, std::string("properties.plane.") + "abcd"[i],
-                                            *values[i], 0.01, quarter));
+                                            *values[i], 0.01, quarter, Quantity::plain));
     }
   }
 
   void draw_what(Group&) {
-    note(context_, count(node_.children.size()) + " solids that move as one.");
+    const std::size_t members = node_.children.size();
+    note(context_, members == 1 ? "One solid in a group of its own."
+                                : count(members) + " solids that move as one.");
   }
 
   void number_row(const char* text, const std::string& value) {

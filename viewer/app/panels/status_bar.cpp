@@ -8,7 +8,9 @@ namespace {
 std::string about_scene(const Session& session) {
   if (session.scene().size() == 0) return "Empty scene";
   const std::size_t roots = session.scene().roots().size();
-  std::string text = roots == 1 ? "1 solid" : count(roots) + " solids";
+  const Node& first = session.scene().at(session.scene().roots().front());
+  const bool is_group = roots == 1 && std::holds_alternative<Group>(first.what);
+  std::string text = is_group ? "1 group" : roots == 1 ? "1 solid" : count(roots) + " solids";
   if (roots == 1)
     if (const Solid* solid = session.solid(session.scene().roots().front())) {
       const std::size_t faces = solid->counts().faces;
@@ -39,6 +41,18 @@ void draw_progress(PanelContext& context, const std::string& activity) {
   if (button(context, "status.cancel", "Cancel", "Stops this computation")) session.cancel();
 }
 
+/// Opens the list of all that was said; at the right, before the file's name.
+void draw_message_button(PanelContext& context, const std::string& file) {
+  Messages& messages = context.session.messages;
+  if (messages.all().empty()) return;
+  const std::string text = std::string(icons::info) + " " + count(messages.all().size()) +
+                           (messages.all().size() == 1 ? " message" : " messages");
+  ImGui::SameLine(context.layout.status.width - text_width(file) - text_width(text) - 42);
+  if (button(context, "status.messages", text, "All that was said, with its time", true, 0,
+             messages.list_open))
+    messages.list_open = !messages.list_open;
+}
+
 }  // namespace
 
 void draw_status_bar(PanelContext& context) {
@@ -58,6 +72,7 @@ void draw_status_bar(PanelContext& context) {
     context.widgets.record_item("status.text");
   }
   const std::string file = about_file(context.session);
+  draw_message_button(context, file);
   ImGui::SameLine(context.layout.status.width - text_width(file) - 10);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", file.c_str());

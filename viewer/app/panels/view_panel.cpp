@@ -27,14 +27,16 @@ void draw_shown(PanelContext& context) {
 void draw_section(PanelContext& context) {
   Session& session = context.session;
   ViewSettings& view = session.view;
-  checkbox(context, "view.section", "Section plane", view.section,
-           "Cuts the picture open along a plane (X)");
+  bool on = view.section;
+  if (checkbox(context, "view.section", "Section plane", on,
+               "Cuts the picture open along a plane (X)"))
+    session.show_section(on, view.section_axis);
   ImGui::BeginDisabled(!view.section);
   const float width = (ImGui::GetContentRegionAvail().x - 12) / 4;
   for (int axis = 0; axis < 3; ++axis) {
     const std::string letter(1, static_cast<char>('x' + axis));
     if (choice(context, "view.section." + letter, letter.c_str(), view.section_axis == axis, width))
-      view.section_axis = axis;
+      session.show_section(true, axis);
     ImGui::SameLine(0, 4);
   }
   if (choice(context, "view.section.flip", "Flip", view.section_flipped, width))
