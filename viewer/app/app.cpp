@@ -118,8 +118,11 @@ class App::Implementation {
     io.DeltaTime = static_cast<float>(std::max(seconds, 1e-4));
     apply_style(session_.view.dark);
     const float menu = options_.show_interface ? 15 + 8 : 0;
+    const bool steps = session_.mode() == Mode::steps;
+    const double left = steps ? session_.view.left_steps : session_.view.left_model;
     layout_ = make_layout(io.DisplaySize.x, io.DisplaySize.y,
-                          {menu, session_.mode() == Mode::steps, session_.view.hints});
+                          {menu, steps, session_.view.hints, static_cast<float>(left),
+                           static_cast<float>(session_.view.right_steps)});
     if (!options_.show_interface) layout_.picture = {0, 0, io.DisplaySize.x, io.DisplaySize.y};
     session_.picture_size = {layout_.picture.width, layout_.picture.height};
   }
@@ -173,6 +176,7 @@ class App::Implementation {
       draw_inspector(context);
       draw_time_line(context);
     }
+    draw_splitters(context);
     draw_legend(context);
     draw_hint_strip(context);
     draw_view_panel(context);

@@ -4,12 +4,26 @@
 #include <cmath>
 
 namespace sectile::viewer {
+namespace {
+
+constexpr float least_picture = 200;
+
+float wished(float wish, float usual, float least, float most) {
+  return std::clamp(wish > 0 ? wish : usual, least, std::max(least, most));
+}
+
+}  // namespace
 
 Layout make_layout(float width, float height, const LayoutOptions& options) {
   constexpr float tool_bar_height = 52, status_height = 26, time_line_height = 84;
   const bool steps = options.steps;
-  const float left = std::round(std::clamp(width * 0.21f, 232.0f, 320.0f));
-  const float right = steps ? std::round(std::clamp(width * 0.29f, 270.0f, 440.0f)) : 0;
+  // In the steps the tree is short, and the inspector has tables of eight columns.
+  const float usual_left =
+      steps ? std::clamp(width * 0.15f, 150.0f, 240.0f) : std::clamp(width * 0.21f, 232.0f, 320.0f);
+  const float usual_right = std::clamp(width * 0.36f, 360.0f, 560.0f);
+  const float left = std::round(wished(options.left, usual_left, 120, width * 0.45f));
+  const float right =
+      steps ? std::round(wished(options.right, usual_right, 240, width - left - least_picture)) : 0;
   const float bottom = steps ? time_line_height : 0;
   const float top = options.menu_height + tool_bar_height;
   const float inner = std::max(1.0f, height - top - status_height - bottom);

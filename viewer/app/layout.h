@@ -15,9 +15,10 @@ struct Layout {
 };
 
 struct LayoutOptions {
-  float menu_height = 0;  ///< what ImGui's menu bar takes at the top
-  bool steps = false;     ///< inspector and time line instead of the properties
-  bool hints = false;     ///< a strip below the picture
+  float menu_height = 0;      ///< what ImGui's menu bar takes at the top
+  bool steps = false;         ///< inspector and time line instead of the properties
+  bool hints = false;         ///< a strip below the picture
+  float left = 0, right = 0;  ///< widths that a person dragged the panels to; 0: as usual
 };
 
 Layout make_layout(float width, float height, const LayoutOptions& options);

@@ -1,6 +1,8 @@
 #include "app/settings_file.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <utility>
@@ -17,6 +19,13 @@ constexpr std::array<std::pair<const char*, bool ViewSettings::*>, 4> kept{{
     {"hints", &ViewSettings::hints},
 }};
 
+constexpr std::array<std::pair<const char*, double ViewSettings::*>, 4> kept_sizes{{
+    {"left_model", &ViewSettings::left_model},
+    {"left_steps", &ViewSettings::left_steps},
+    {"right_steps", &ViewSettings::right_steps},
+    {"sphere", &ViewSettings::sphere},
+}};
+
 }  // namespace
 
 void load_settings(const std::filesystem::path& path, ViewSettings& settings,
@@ -28,6 +37,8 @@ void load_settings(const std::filesystem::path& path, ViewSettings& settings,
     const std::string name = line.substr(0, blank), value = line.substr(blank + 1);
     for (const auto& [known, setting] : kept)
       if (name == known && (value == "0" || value == "1")) settings.*setting = value == "1";
+    for (const auto& [known, setting] : kept_sizes)
+      if (name == known) settings.*setting = std::clamp(std::atof(value.c_str()), 0.0, 4000.0);
     std::error_code error;
     if (name == "folder" && std::filesystem::is_directory(value, error)) folder = value;
   }
@@ -38,6 +49,8 @@ void save_settings(const std::filesystem::path& path, const ViewSettings& settin
   std::string text;
   for (const auto& [name, setting] : kept)
     text += std::string(name) + (settings.*setting ? " 1\n" : " 0\n");
+  for (const auto& [name, setting] : kept_sizes)
+    text += std::string(name) + " " + std::to_string(settings.*setting) + "\n";
   // A name with a line break would be two lines.
   if (!folder.empty() && folder.string().find('\n') == std::string::npos)
     text += "folder " + folder.string() + "\n";

@@ -23,6 +23,8 @@ struct ViewSettings {
   Shown shown = Shown::both;
   bool follow_steps = true;  ///< the camera goes to the place of each step
   bool hints = true;
+  // Sizes that a person dragged panels to; 0: as usual.
+  double left_model = 0, left_steps = 0, right_steps = 0, sphere = 0;
 };
 
 }  // namespace sectile::viewer

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "app/panels/panels.h"
 #include "app/words.h"
@@ -71,13 +72,14 @@ void draw_key(const ColourKey& key) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImU32 colour = packed(with_alpha(key.colour, 1));
-  const float middle = at.y + line / 2;
+  // On whole pixels: half of one is where versions of ImGui differ.
+  const float middle = std::floor(at.y) + std::floor(line / 2);
   switch (key.form) {
     case ColourKey::Form::area:
       draw.AddRectFilled({at.x, middle - 5}, {at.x + 14, middle + 5}, colour, 2);
       break;
     case ColourKey::Form::line:
-      draw.AddLine({at.x, middle}, {at.x + 14, middle}, colour, 3);
+      draw.AddRectFilled({at.x, middle - 1}, {at.x + 14, middle + 2}, colour);
       break;
     case ColourKey::Form::point:
       draw.AddCircleFilled({at.x + 7, middle}, 5, colour);

@@ -11,6 +11,7 @@ void draw_scene_tree(PanelContext& context);
 void draw_properties(PanelContext& context);
 void draw_inspector(PanelContext& context);
 void draw_time_line(PanelContext& context);
+void draw_splitters(PanelContext& context);
 void draw_legend(PanelContext& context);
 void draw_view_panel(PanelContext& context);
 void draw_hint_strip(PanelContext& context);
