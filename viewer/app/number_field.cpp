@@ -31,12 +31,14 @@ bool draw_typing(PanelContext& context, const std::string& name, float width, co
   TypedField& typed = context.session.typed;
   typed.is_drawn = true;
   ImGui::SetNextItemWidth(width);
-  if (!typed.has_focus) ImGui::SetKeyboardFocusHere();
   const bool entered =
       ImGui::InputText(("##typed" + name).c_str(), &typed.text,
                        ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
   context.widgets.record_item(name);
-  if (ImGui::IsItemActive()) typed.has_focus = true;
+  if (ImGui::IsItemActive())
+    typed.has_focus = true;
+  else if (!typed.has_focus)
+    ImGui::SetKeyboardFocusHere(-1);
   const bool tabbed = ImGui::IsItemActive() && interface_input::was_pressed(Key::tab);
   const bool left = typed.has_focus && ImGui::IsItemDeactivated();
   if (!entered && !tabbed && !left) return false;

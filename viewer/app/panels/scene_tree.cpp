@@ -192,10 +192,10 @@ class Tree {
 
   void draw_name_field(const Node& node) {
     Renaming& renaming = session_.renaming;
+    const bool begins = !renaming.begun;
     if (!renaming.begun) {
       renaming.begun = true;
       renaming.text = node.name;
-      ImGui::SetKeyboardFocusHere();
     }
     const ImVec2 low = ImGui::GetItemRectMin();
     ImGui::SameLine(0, 0);
@@ -205,6 +205,8 @@ class Tree {
         ImGui::InputText("##name", &renaming.text,
                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     context_.widgets.record_item("tree.name");
+    // Of the item before: asked for the next one, ImGui 1.90 looks for it in the window outside.
+    if (begins) ImGui::SetKeyboardFocusHere(-1);
     const bool left = ImGui::IsItemDeactivated();
     if (!entered && !left) return;
     if (!interface_input::was_pressed(Key::escape)) session_.rename(node.id, renaming.text);

@@ -29,15 +29,16 @@ std::string about_file(const Session& session) {
 
 void draw_progress(PanelContext& context, const std::string& activity) {
   Session& session = context.session;
+  const float top = ImGui::GetCursorPosY();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(activity.c_str());
   ImGui::SameLine(0, 10);
   const float line = ImGui::GetTextLineHeight();
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 3);
+  ImGui::SetCursorPosY(top + 3);
   ImGui::ProgressBar(static_cast<float>(session.progress()), {130, line - 2}, "");
   context.widgets.record_item("status.progress");
   ImGui::SameLine(0, 10);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - 3);
+  ImGui::SetCursorPosY(top);
   if (button(context, "status.cancel", "Cancel", "Stops this computation")) session.cancel();
 }
 
