@@ -1,6 +1,8 @@
 // What people expect of any program: menus that keys close, typed numbers that are understood,
 // messages that are not lost, files in the order in which they were named.
 #include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <fstream>
@@ -334,6 +336,75 @@ TEST(FailingField, LeavesTheFieldsWhereTheyAre) {
   ASSERT_NE(driver.session().error_of(id), "");
   ASSERT_TRUE(driver.app().has_widget("properties.error"));
   EXPECT_EQ(driver.app().widget("properties.scale.x"), before);
+}
+
+/// The step with the widest table: half-planes around a segment.
+void show_wide_table(AppDriver& driver) {
+  const Story& story = driver.open_steps("fig01");
+  const auto [first, end] = story.range(Phase::vertex_vertex);
+  for (std::size_t i = first; i < end; ++i)
+    if (story.step(i).columns.size() == 8) {
+      driver.app().show_step(Phase::vertex_vertex, i - first);
+      driver.settle(4);
+      return;
+    }
+  FAIL() << "no such step";
+}
+
+TEST(StepsTable, IsWholeAtUsualSizes) {
+  struct Size {
+    int width, height;
+    float scale;
+  };
+  for (const Size& size : {Size{1280, 800, 1}, {1024, 700, 1}, {1920, 1080, 2}}) {
+    AppDriver driver(size.width, size.height, size.scale);
+    show_wide_table(driver);
+    for (const std::string& column : driver.session().player.current()->columns)
+      for (const char* row : {"inspector.column:", "inspector.last:"}) {
+        const Widget* cell = driver.app().widgets().find(row + column);
+        ASSERT_NE(cell, nullptr) << size.width << ' ' << column;
+        EXPECT_FALSE(cell->clipped) << size.width << ' ' << row << column;
+      }
+    EXPECT_EQ(driver.faults(), "") << size.width;
+  }
+}
+
+TEST(Panels, AreResizedByTheirEdges) {
+  AppDriver driver(1280, 800);
+  driver.open_steps("fig13");
+  driver.app().show_step(Phase::null_edges, 1);
+  driver.settle();
+  ASSERT_TRUE(driver.app().has_widget("inspector.sphere"));
+  const auto width = [&](const char* name) { return driver.app().widget(name).z; };
+  const float inspector = width("panel.inspector"), tree = width("panel.tree");
+  const glm::dvec2 right = driver.middle("splitter.right"), left = driver.middle("splitter.left");
+  driver.drag(right, right - glm::dvec2(80, 0));
+  EXPECT_NEAR(width("panel.inspector"), inspector + 80, 2);
+  driver.drag(left, left + glm::dvec2(40, 0));
+  EXPECT_NEAR(width("panel.tree"), tree + 40, 2);
+  const float sphere = driver.app().widget("inspector.sphere").w;
+  const glm::dvec2 above = driver.middle("splitter.sphere");
+  driver.drag(above, above + glm::dvec2(0, 60));
+  EXPECT_NEAR(driver.app().widget("inspector.sphere").w, sphere - 60, 2);
+  driver.double_click(driver.middle("splitter.right"));
+  EXPECT_EQ(width("panel.inspector"), inspector);
+  EXPECT_EQ(driver.faults(), "");
+}
+
+TEST(Tooltips, ComeAfterAMomentAndHaveWords) {
+  AppDriver driver;
+  const auto tooltip = [] {
+    const ImGuiWindow* window = ImGui::FindWindowByName("##Tooltip_00");
+    return window && window->Active && window->HiddenFramesCanSkipItems == 0 ? window : nullptr;
+  };
+  driver.move(driver.middle("view.frame"));
+  driver.settle(3);
+  EXPECT_EQ(tooltip(), nullptr) << "the mouse only passes over";
+  EXPECT_TRUE(driver.app().needs_frame()) << "until it comes, without a further event";
+  driver.settle(40);
+  ASSERT_NE(tooltip(), nullptr);
+  EXPECT_GT(tooltip()->Size.x, 60);
+  EXPECT_FALSE(driver.app().needs_frame());
 }
 
 }  // namespace

@@ -73,6 +73,7 @@ class App::Implementation {
     draw_interface();
     if (!std::exchange(session_.typed.is_drawn, false)) session_.typed.field.clear();
     if (options_.wait_for_results) session_.update(0, true);
+    tooltip_pending_ = is_tooltip_pending();
     follow_step();
     draw_picture(seconds);
     ImGui::Render();
@@ -80,12 +81,14 @@ class App::Implementation {
   }
 
   bool needs_frame() const {
-    return !events_.is_empty() || was_busy_ || session_.is_busy() || session_.player.is_playing() ||
-           session_.messages.is_fading() || settling_ > 0 || !is_at_rest();
+    return !events_.is_empty() || was_busy_ || tooltip_pending_ || session_.is_busy() ||
+           session_.player.is_playing() || session_.messages.is_fading() || settling_ > 0 ||
+           !is_at_rest();
   }
 
   double time_to_next_frame() const {
-    const bool moves = session_.player.is_playing() || settling_ > 0 || !is_at_rest();
+    const bool moves =
+        session_.player.is_playing() || tooltip_pending_ || settling_ > 0 || !is_at_rest();
     return moves ? 1.0 / 60 : 0.5;
   }
 
@@ -274,6 +277,7 @@ class App::Implementation {
   float font_scale_ = 0;
   bool menu_was_open_ = false;
   int settling_ = 2;
+  bool tooltip_pending_ = false;
   bool was_busy_ = false;  // when the last frame was drawn, which says so
   Camera seen_camera_;
   double still_for_ = 0;  // the camera, in seconds

@@ -32,8 +32,16 @@ float text_width(const std::string& text) {
   return ImGui::CalcTextSize(text.c_str(), nullptr, true).x;
 }
 
+// Who only passes over a button wants to read nothing, and would see boxes flash.
+bool is_tooltip_pending() {
+  constexpr float patience = 0.4f;
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return context.HoveredId != 0 && context.HoveredIdTimer < patience;
+}
+
 void tooltip(const std::string& text) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (is_tooltip_pending()) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
   ImGui::TextUnformatted(text.c_str());

@@ -46,7 +46,9 @@ bool checkbox(PanelContext& context, const std::string& name, const char* text, 
 bool slider(PanelContext& context, const std::string& name, double& value, double low, double high,
             const char* format, float width = -1);
 
+/// Of the last item, when the mouse has rested on it for a moment.
 void tooltip(const std::string& text);
+bool is_tooltip_pending();  ///< the mouse rests on something, but not for long enough yet
 std::string tooltip_of(const Command& command);
 /// Wrapped text in the small font and a faint colour.
 void note(PanelContext& context, const std::string& text);

@@ -53,13 +53,15 @@ float row_height(const Row& row, const std::vector<float>& widths) {
   return height + 2 * ImGui::GetStyle().CellPadding.y;
 }
 
-void draw_row(const Row& row, const std::vector<float>& widths) {
+template <class Told>
+void draw_row(const Row& row, const std::vector<float>& widths, const Told& drawn) {
   ImGui::TableNextRow();
   for (std::size_t i = 0; i < widths.size() && i < row.size(); ++i) {
     ImGui::TableSetColumnIndex(static_cast<int>(i));
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + widths[i] + 1);
     ImGui::TextUnformatted(row[i].c_str());
     ImGui::PopTextWrapPos();
+    drawn(i);
   }
 }
 
@@ -79,12 +81,15 @@ void draw_table(PanelContext& context, const Step& step) {
   if (ImGui::BeginTable("codes", static_cast<int>(widths.size()), flags, {0, height})) {
     for (std::size_t i = 0; i < widths.size(); ++i)
       ImGui::TableSetupColumn(step.columns[i].c_str(), ImGuiTableColumnFlags_WidthFixed, widths[i]);
-    draw_row(names, widths);
+    draw_row(names, widths,
+             [&](std::size_t i) { context.widgets.record_item("inspector.column:" + names[i]); });
     ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, ImGui::GetColorU32(ImGuiCol_TableHeaderBg));
-    for (const Row& row : step.table) draw_row(row, widths);
+    for (const Row& row : step.table)
+      draw_row(row, widths, [&](std::size_t i) {
+        if (&row == &step.table.back()) context.widgets.record_item("inspector.last:" + names[i]);
+      });
     ImGui::EndTable();
   }
-  context.widgets.record_item("inspector.table");
   ImGui::PopFont();
 }
 
