@@ -32,12 +32,14 @@ TEST_F(BackgroundTest, WakesTheWindowWhenItsWorkIsDone) {
 }
 
 TEST_F(BackgroundTest, WakesWhenItsWorkWasCancelledToo) {
-  Background<int, int> worker([](int, WorkState& state) -> std::optional<int> {
+  std::atomic<bool> runs{false};
+  Background<int, int> worker([&](int, WorkState& state) -> std::optional<int> {
+    runs = true;
     while (!state.cancelled()) std::this_thread::yield();
     return std::nullopt;
   });
   worker.request(1);
-  while (!worker.is_working()) std::this_thread::yield();
+  while (!runs) std::this_thread::yield();
   worker.request(2);
   wakes.wait(0);
   EXPECT_EQ(worker.take(), std::nullopt);

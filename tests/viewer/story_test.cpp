@@ -182,6 +182,14 @@ TEST_P(StoryTest, IsToldTheSameWayTwice) {
   EXPECT_TRUE(story.result() == again.result());
 }
 
+TEST_P(StoryTest, OneIsNoPlural) {
+  for (std::size_t i = 0; i < story.steps().size(); ++i) {
+    const std::string words = " " + story.step(i).words;
+    for (const char* wrong : {" 1 faces", " 1 edges", " 1 vertices", " 1 shells", " 1 cuts"})
+      EXPECT_EQ(words.find(wrong), std::string::npos) << words;
+  }
+}
+
 TEST(Story, OfAnEmptySolidIsItsResult) {
   const Solid block = samples::get("fig11").a;
   const Story story = Story::tell(Solid(), block, Operation::unite);

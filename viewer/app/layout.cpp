@@ -20,7 +20,7 @@ Layout make_layout(float width, float height, const LayoutOptions& options) {
   // In the steps the tree is short, and the inspector has tables of eight columns.
   const float usual_left =
       steps ? std::clamp(width * 0.15f, 150.0f, 240.0f) : std::clamp(width * 0.21f, 232.0f, 320.0f);
-  const float usual_right = std::clamp(width * 0.36f, 360.0f, 560.0f);
+  const float usual_right = std::clamp(width * 0.36f, 404.0f, 560.0f);
   const float left = std::round(wished(options.left, usual_left, 120, width * 0.45f));
   const float right =
       steps ? std::round(wished(options.right, usual_right, 240, width - left - least_picture)) : 0;
@@ -30,7 +30,7 @@ Layout make_layout(float width, float height, const LayoutOptions& options) {
   const float tree_height = steps ? inner : std::round(inner * 0.38f);
   const float middle = std::max(1.0f, width - left - right);
   // Two lines of text, or four where these wrap.
-  const float hints = !options.hints ? 0 : std::min(middle < 640 ? 84.0f : 52.0f, inner / 2);
+  const float hints = !options.hints ? 0 : std::min(middle < 600 ? 84.0f : 52.0f, inner / 2);
 
   Layout layout;
   layout.tool_bar = {0, options.menu_height, width, tool_bar_height};

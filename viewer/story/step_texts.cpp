@@ -80,7 +80,8 @@ void tell_part(const StoryRecord& record, const PartEvent& event, Step& step) {
   step.words = "Along the cuts the surface of " + solid + " falls apart. " + part +
                " is what lies " + (event.side == TraceClass::in ? "inside " : "outside ") + other +
                ", with the parts on " + other + " that Table I adds; it has " + faces +
-               " faces. It is " + becomes + ". " + equation_4(record.operation);
+               (faces == "1" ? " face. It is " : " faces. It is ") + becomes + ". " +
+               equation_4(record.operation);
   step.columns = {"part", "becomes", "faces"};
   step.table = {{part, becomes, faces}};
 }

@@ -75,7 +75,7 @@ void draw_more(PanelContext& context, float x, float y, float width) {
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize);
   const std::string text = "And " + std::to_string(messages.waiting()) + " more: show all";
   if (button(context, "messages.more", text, "Opens the list of all messages", true, 200))
-    messages.list_open = true;
+    messages.list_open = true, messages.close_all();
   ImGui::SameLine();
   if (button(context, "messages.close_all", "Close all", "They stay in the list", true, 100))
     messages.close_all();

@@ -229,6 +229,10 @@ void draw_several(PanelContext& context, const std::vector<NodeId>& chosen) {
 }  // namespace
 
 void draw_properties(PanelContext& context) {
+  // As wide with a scroll bar as without one: fields do not move when numbers come and go.
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::SetNextWindowContentSize(
+      {context.layout.properties.width - 2 * style.WindowPadding.x - style.ScrollbarSize - 2, 0});
   begin_panel(context, "properties", context.layout.properties);
   const std::vector<NodeId> chosen = context.session.topmost_selected();
   if (chosen.empty()) {
