@@ -5,7 +5,6 @@
 #include "arguments.h"
 #include "command.h"
 #include "input.h"
-#include "interrupt.h"
 #include "json.h"
 #include "output.h"
 #include "repairing.h"
@@ -84,15 +83,13 @@ ExitCode run(const Arguments& arguments, const Options& options) {
     if (input_format(name, options) == FileFormat::three_mf) unit = model.unit;
   }
   progress.stage("repairing");
-  const Interrupt interrupt;
   RepairOptions how = arguments.how;
-  how.cancel = interrupt.requested();
   how.progress = [&](double done) { progress.fraction(done); };
   RepairReport report;
   const Solid solid = repair_input(arguments.inputs.front(), all, how, report);
   std::vector<Written> written;
   if (!arguments.dry_run)
-    written = write_solids({arguments.output}, {solid}, unit, options, progress, interrupt);
+    written = write_solids({arguments.output}, {solid}, unit, options, progress);
   if (options.json) {
     print_json(arguments, report, solid, written);
   } else if (!options.quiet && arguments.output != "-") {

@@ -13,14 +13,14 @@
 namespace sectile {
 
 /// Calls body(i, output) for i = 0 … count - 1; `output` is one Output for each block of the loop.
-/// Throws Cancelled within a block's time if that was asked for.
-template <class Output, class Body>
-std::vector<Output> collect(const Workspace& w, std::size_t count, std::size_t block,
-                            const Body& body) {
+/// begin() is called before each block; what it throws ends the loop.
+template <class Output, class Body, class Begin>
+std::vector<Output> collect_blocks(std::size_t count, std::size_t block, const Body& body,
+                                   const Begin& begin) {
   const std::size_t blocks = (count + block - 1) / block;
   std::vector<Output> outputs(blocks);
   const auto run = [&](std::size_t b) {
-    w.check_cancelled();
+    begin();
     const std::size_t end = std::min(count, (b + 1) * block);
     for (std::size_t i = b * block; i < end; ++i) body(i, outputs[b]);
   };
@@ -30,6 +30,18 @@ std::vector<Output> collect(const Workspace& w, std::size_t count, std::size_t b
     tbb::parallel_for(std::size_t(0), blocks, run);
   }
   return outputs;
+}
+
+template <class Output, class Body>
+std::vector<Output> collect(std::size_t count, std::size_t block, const Body& body) {
+  return collect_blocks<Output>(count, block, body, [] {});
+}
+
+/// The same; throws Cancelled within a block's time if that was asked for.
+template <class Output, class Body>
+std::vector<Output> collect(const Workspace& w, std::size_t count, std::size_t block,
+                            const Body& body) {
+  return collect_blocks<Output>(count, block, body, [&] { w.check_cancelled(); });
 }
 
 template <class T>
