@@ -15,7 +15,7 @@ using rounding::unit;
 
 PointOf<Bounded> bounded_point(const Kernel& kernel, PointId p) {
   const Geometry& g = kernel.geometry();
-  return g.is_explicit(p) ? point_of<Bounded>(g.position(p)) : kernel.bounded(g.construction(p));
+  return g.is_constructed(p) ? kernel.bounded(g.construction(p)) : given_point<Bounded>(g, p);
 }
 
 // Numbers of one kind for points and planes.
