@@ -54,14 +54,14 @@ class LineFinder {
 
   void find_points(const Use& use, EdgeLine& line) const {
     const Geometry& g = kernel_.geometry();
-    if (g.is_explicit(use.low) && g.is_explicit(use.high)) {
+    if (!g.is_constructed(use.low) && !g.is_constructed(use.high)) {
       line.from = use.low;
       line.to = use.high;
       return;
     }
     // A piece of an input edge: an end that was made by cutting it still knows the whole.
     for (const PointId p : {use.low, use.high}) {
-      if (g.is_explicit(p)) continue;
+      if (!g.is_constructed(p)) continue;
       const Construction& known = g.construction(p);
       if (!known.line_from.valid()) continue;
       if ((known.a == line.a && known.b == line.b) || (known.a == line.b && known.b == line.a)) {

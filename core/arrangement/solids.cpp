@@ -163,7 +163,7 @@ class Builder {
     if (plane.valid()) return;
     Geometry& g = data_->geometry();
     const PointId from = result_.corners[corner], to = result_.corners[mate_[corner]];
-    if (!g.is_explicit(from) || !g.is_explicit(to))
+    if (g.is_constructed(from) || g.is_constructed(to))
       throw InternalError("nothing pins down an edge between flat faces");
     plane = g.add_plane(
         PlaneDefinition::along_axis(from, to, kernel_.main_axis(faces_.plane[face(corner)])));
