@@ -9,9 +9,9 @@
 
 #include "arrangement/middle.h"
 #include "geometry/around_line.h"
+#include "geometry/face_predicates.h"
 #include "geometry/triangulation.h"
 #include "import/edge_buckets.h"
-#include "import/face_predicates.h"
 #include "sectile/errors.h"
 
 namespace sectile::arrangement {

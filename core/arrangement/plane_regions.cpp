@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "boolean/direction.h"
+#include "geometry/face_predicates.h"
 #include "geometry/sweep_line.h"
-#include "import/face_predicates.h"
 
 namespace sectile::arrangement {
 namespace {
