@@ -7,7 +7,7 @@
 
 namespace sectile::arrangement {
 
-/// Two planes that meet in the line, and two explicit points of it, if they are known.
+/// Two planes that meet in the line, and two given points of it, if they are known.
 struct EdgeLine {
   PlaneId a, b;
   PointId from, to;

@@ -20,7 +20,7 @@ struct Facets {
   std::vector<FaceSource> source;      ///< per face
   std::vector<std::uint32_t> operand;  ///< per face: the solid to whose boundary it belongs
   /// Per corner: a plane through the edge that is not parallel to the face's, if one is known; it
-  /// must be where an end of the edge is not explicit. Empty if none is known.
+  /// must be where an end of the edge is constructed. Empty if none is known.
   std::vector<PlaneId> second_plane;
 
   std::vector<std::uint32_t> face_of;  ///< per corner

@@ -88,5 +88,16 @@ TEST(Arrangement, RandomBoxesAreWhatTheirCellsSay) {
   }
 }
 
+TEST(Arrangement, SolidsThatWereTurned) {
+  const Solid cube = block({0, 0, 0}, {1, 1, 1});
+  std::vector<Solid> solids;
+  for (const double degrees : {0.0, 10.0, 37.0})
+    solids.push_back(transformed(cube, Transform::rotation_degrees({1, 2, 3}, degrees)));
+  Solid pairwise = solids[0];
+  for (std::size_t i = 1; i < solids.size(); ++i)
+    pairwise = boolean(pairwise, solids[i], Operation::unite);
+  EXPECT_TRUE(unite(solids) == pairwise);
+}
+
 }  // namespace
 }  // namespace sectile
