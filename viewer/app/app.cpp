@@ -135,10 +135,8 @@ class App::Implementation {
   void let_keys_walk_in_menus() {
     menu_was_open_ =
         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-    // From one menu to the next takes some frames in which none is open.
-    keys_walk_ = menu_was_open_ ? 4 : std::max(0, keys_walk_ - 1);
     ImGuiIO& io = ImGui::GetIO();
-    io.ConfigFlags = keys_walk_ > 0 ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
+    io.ConfigFlags = menu_was_open_ ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
   }
 
   void react(const std::vector<Event>& fed) {
@@ -278,7 +276,6 @@ class App::Implementation {
   Fonts fonts_;
   float font_scale_ = 0;
   bool menu_was_open_ = false;
-  int keys_walk_ = 0;  // frames for which ImGui still takes keys
   int settling_ = 2;
   bool tooltip_pending_ = false;
   bool was_busy_ = false;  // when the last frame was drawn, which says so

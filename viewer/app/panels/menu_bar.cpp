@@ -1,3 +1,8 @@
+#include <imgui_internal.h>
+
+#include <array>
+
+#include "app/interface_input.h"
 #include "app/panels/panels.h"
 #include "app/samples_menu.h"
 #include "app/words.h"
@@ -48,12 +53,28 @@ void samples_menu(PanelContext& context) {
   ImGui::EndMenu();
 }
 
+/// Left and Right go from an open menu to the one beside it.
+void walk_along_menus() {
+  constexpr std::array menus{"File", "Edit", "Add", "Operations", "View", "Samples", "Help"};
+  const int by = interface_input::was_pressed(Key::right)  ? 1
+                 : interface_input::was_pressed(Key::left) ? -1
+                                                           : 0;
+  for (std::size_t i = 0; by != 0 && i < menus.size(); ++i) {
+    if (!ImGui::IsPopupOpen(menus[i])) continue;
+    // The mouse may still rest on the title of the menu before, which would open it again.
+    ImGui::GetCurrentContext()->NavDisableMouseHover = true;
+    return ImGui::OpenPopup(
+        menus[(i + menus.size() + static_cast<std::size_t>(by)) % menus.size()]);
+  }
+}
+
 }  // namespace
 
 float draw_menu_bar(PanelContext& context) {
   if (!ImGui::BeginMainMenuBar()) return 0;
   const float height = ImGui::GetWindowHeight();
   context.widgets.record_window("panel.menu_bar");
+  walk_along_menus();
   command_menu(context, "menu.file", "File",
                {"file.new", "file.open", "file.save", "file.save_as", "-", "file.import",
                 "file.export", "-", "file.quit"});
