@@ -16,7 +16,7 @@ Solid repair_input(const std::string& name, const PolygonMesh& mesh, const Repai
   try {
     return repair(mesh, how, &report);
   } catch (const InvalidSolid& error) {
-    throw IllegalInput(name == "-" ? "standard input" : name, {problem_of(error)});
+    throw IllegalInput(name == "-" ? "standard input" : name, problems_of(error));
   }
 }
 

@@ -1,8 +1,10 @@
 if(TARGET sectile_viewer_app)
   sectile_test(viewer_app_test
     LABEL viewer
-    SOURCES app_driver.cpp app_test.cpp app_drag_test.cpp app_habits_test.cpp app_tree_test.cpp
-            app_work_test.cpp typed_number_test.cpp
+    SOURCES app_driver.cpp app_test.cpp app_drag_test.cpp app_habits_test.cpp app_measure_test.cpp
+            app_output_test.cpp app_pattern_test.cpp app_place_test.cpp app_profile_test.cpp
+            app_select_test.cpp app_transform_test.cpp app_tree_test.cpp app_work_test.cpp
+            typed_number_test.cpp
     LIBRARIES sectile_viewer_app)
 endif()
 
@@ -36,4 +38,15 @@ if(TARGET sectile_viewer)
     set_tests_properties(program_in_window_test PROPERTIES SKIP_REGULAR_EXPRESSION "not installed")
   endif()
   set_tests_properties(program_in_window_test PROPERTIES LABELS xvfb TIMEOUT 600)
+endif()
+
+# Films from the command line.
+if(TARGET sectile_viewer)
+  foreach(film turntable film-steps)
+    add_test(NAME viewer_${film}_test
+             COMMAND sectile_viewer --sample fig01 --${film} ${CMAKE_CURRENT_BINARY_DIR}/${film}.gif
+                     --size 96x64)
+    set_tests_properties(viewer_${film}_test PROPERTIES LABELS viewer TIMEOUT 300
+                         PASS_REGULAR_EXPRESSION "/${film}.gif")
+  endforeach()
 endif()

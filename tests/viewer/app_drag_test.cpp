@@ -82,13 +82,13 @@ TEST(AppDrag, EscapeTakesADragOfAFieldBack) {
 TEST(AppDrag, EachDragIsOneStepOfUndo) {
   AppDriver driver;
   driver.add("block");
-  const std::vector<std::pair<char, std::string>> modes{
-      {'G', "Move"}, {'R', "Rotate"}, {'S', "Scale"}};
+  const std::vector<std::pair<std::string, std::string>> modes{
+      {"handle.move", "Move"}, {"handle.rotate", "Rotate"}, {"handle.scale", "Scale"}};
   std::vector<Scene> scenes{driver.scene()};
-  for (const auto& [key, name] : modes) {
-    driver.key(key);
+  for (const auto& [button, name] : modes) {
+    driver.press(button);
     const glm::dvec2 from = driver.middle("handle.y");
-    driver.drag(from, key == 'R' ? quarter_turn(driver, from) : from + glm::dvec2(70, -50));
+    driver.drag(from, name == "Rotate" ? quarter_turn(driver, from) : from + glm::dvec2(70, -50));
     EXPECT_EQ(driver.session().document.undo_name(), name);
     EXPECT_NE(driver.scene(), scenes.back()) << name;
     scenes.push_back(driver.scene());
@@ -133,7 +133,7 @@ TEST(AppDrag, LocalAxesFollowTheSolid) {
   const double length = std::hypot(own.x, own.y);
   EXPECT_NEAR(length * 20, std::round(length * 20), 1e-9) << "the distance is round";
   // Turning about the own x axis changes the first angle only.
-  driver.key('R');
+  driver.press("handle.rotate");
   const glm::dvec2 from = driver.middle("handle.x");
   driver.drag(from, quarter_turn(driver, from));
   EXPECT_NE(placement(driver, 0).rotation.x, 0);
@@ -143,7 +143,7 @@ TEST(AppDrag, LocalAxesFollowTheSolid) {
 TEST(AppDrag, RotationSnapsToRoundAngles) {
   AppDriver driver;
   driver.add("block");
-  driver.key('R');
+  driver.press("handle.rotate");
   const glm::dvec2 from = driver.middle("handle.z");
   driver.drag(from, from + glm::dvec2(-60, -10));
   const double degrees = placement(driver, 0).rotation.z;

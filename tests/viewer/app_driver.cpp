@@ -60,11 +60,11 @@ void AppDriver::click(glm::dvec2 at, bool shift) {
   settle();
 }
 
-void AppDriver::drag(glm::dvec2 from, glm::dvec2 to, MouseButton button, bool control) {
-  move(from, false, control);
-  send({mouse(Event::Kind::mouse_down, from, button, false, control)});
-  for (int i = 1; i <= 8; ++i) move(from + (to - from) * (i / 8.0), false, control);
-  send({mouse(Event::Kind::mouse_up, to, button, false, control)});
+void AppDriver::drag(glm::dvec2 from, glm::dvec2 to, MouseButton button, bool control, bool shift) {
+  move(from, shift, control);
+  send({mouse(Event::Kind::mouse_down, from, button, shift, control)});
+  for (int i = 1; i <= 8; ++i) move(from + (to - from) * (i / 8.0), shift, control);
+  send({mouse(Event::Kind::mouse_up, to, button, shift, control)});
   settle();
 }
 

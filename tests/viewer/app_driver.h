@@ -28,7 +28,7 @@ class AppDriver {
   void move(glm::dvec2 to, bool shift = false, bool control = false);
   void click(glm::dvec2 at, bool shift = false);
   void drag(glm::dvec2 from, glm::dvec2 to, MouseButton button = MouseButton::left,
-            bool control = false);
+            bool control = false, bool shift = false);
   /// The first part of a drag; other events may come before let_go().
   void hold(glm::dvec2 from, glm::dvec2 to, bool control = false);
   void let_go(glm::dvec2 at);

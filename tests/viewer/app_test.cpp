@@ -69,13 +69,13 @@ TEST(App, HandlesRotateAndScale) {
   AppDriver driver;
   driver.add("block");
   const NodeId id = driver.scene().roots().front();
-  driver.key('R');
+  driver.press("handle.rotate");
   glm::dvec2 from = driver.middle("handle.z");
   driver.drag(from, from + glm::dvec2(-60, -10));
   EXPECT_NE(driver.scene().at(id).placement.rotation.z, 0);
   EXPECT_NEAR(only_solid(driver).volume(), 8, 1e-9);
   driver.key('Z', true);
-  driver.key('S');
+  driver.press("handle.scale");
   from = driver.middle("handle.z");
   driver.drag(from, from + glm::dvec2(0, -60));
   EXPECT_GT(driver.scene().at(id).placement.scale.z, 1);

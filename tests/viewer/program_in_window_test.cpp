@@ -140,7 +140,6 @@ void look_from_the_front(AppDriver& twin) {
   twin.key(Key::escape);
   twin.key('1');
   twin.key(Key::home);
-  twin.key('G');
 }
 
 glm::dvec2 rounded(glm::dvec2 p) {
@@ -182,7 +181,7 @@ TEST_F(ProgramInWindow, ClicksDragsUnitesUndoesAndSaves) {
   // Until the solids are computed a click meets nothing, and the drag turns the view.
   Scene moved;
   for (int attempt = 0; attempt < 20 && program.is_running(); ++attempt) {
-    ASSERT_TRUE(act("key Escape key 1 key Home key g" + place(clicked) + " click 1"));
+    ASSERT_TRUE(act("key Escape key 1 key Home" + place(clicked) + " click 1"));
     ASSERT_TRUE(act(place(from).substr(1) + " mousedown 1" + place((from + to) * 0.5) + place(to) +
                     " mouseup 1"));
     moved = saved();
@@ -209,6 +208,43 @@ TEST_F(ProgramInWindow, ClicksDragsUnitesUndoesAndSaves) {
   // Nothing is unsaved: it ends without a question.
   EXPECT_TRUE(wait_for([&] { return !program.is_running(); }, [] { act("key ctrl+q"); }));
   EXPECT_EQ(program.exit_code(), 0);
+}
+
+TEST_F(ProgramInWindow, MovesByKeysAndTypedNumbersCopiesAndPastes) {
+  write_operands("fig01");
+  const Scene before = read_scene(file_).scene;
+  AppDriver twin(width, height);
+  twin.app().open(file_);
+  twin.settle();
+  look_from_the_front(twin);
+  const NodeId solid = operands_[1];
+  const glm::dvec2 clicked = place_on(twin, solid);
+
+  Program program(file_, folder_ / "data");
+  ASSERT_TRUE(open_window());
+  ASSERT_EQ(saved(), before);
+  // Until the solids are computed a click meets nothing, and the keys do nothing.
+  Scene moved;
+  for (int attempt = 0; attempt < 20 && program.is_running(); ++attempt) {
+    ASSERT_TRUE(act("key Escape key Escape key 1 key Home" + place(clicked) + " click 1"));
+    ASSERT_TRUE(act("key g key x key 2 key period key 5"));
+    ASSERT_TRUE(act(place(clicked + glm::dvec2(40, 30)).substr(1) + " key Return"));
+    moved = saved();
+    if (moved != before) break;
+  }
+  Vec3 wanted = before.at(solid).placement.position;
+  wanted.x += 2.5;
+  EXPECT_EQ(moved.at(solid).placement.position, wanted) << "the number counts, not the mouse";
+  EXPECT_EQ(moved.at(operands_[0]), before.at(operands_[0]));
+
+  ASSERT_TRUE(act("key ctrl+c key ctrl+v"));
+  const Scene pasted = saved();
+  ASSERT_EQ(pasted.size(), 3u);
+  EXPECT_EQ(pasted.at(pasted.roots().back()).placement.position, wanted);
+  // Given back by Esc: nothing changes.
+  ASSERT_TRUE(act("key g" + place(clicked + glm::dvec2(90, 0)) + " key Escape"));
+  EXPECT_EQ(saved(), pasted);
+  EXPECT_TRUE(wait_for([&] { return !program.is_running(); }, [] { act("key ctrl+q"); }));
 }
 
 }  // namespace

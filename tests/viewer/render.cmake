@@ -1,3 +1,4 @@
+sectile_test(viewer_gif_test SOURCES gif_test.cpp LIBRARIES sectile_viewer_render)
 sectile_test(render_test SOURCES render_test.cpp look_test.cpp demo_pictures.cpp leaks.cpp
              LIBRARIES sectile_viewer_render sectile::samples)
 

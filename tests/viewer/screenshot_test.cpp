@@ -52,6 +52,19 @@ TEST(Arguments, AreRead) {
   EXPECT_FALSE(good({"--sample", "fig13"}).is_story_picture());
 }
 
+TEST(Arguments, Films) {
+  const Arguments turn = good({"--turntable", "a.gif", "--frames", "12", "--seconds", "0.5"});
+  EXPECT_EQ(turn.film->kind, RecordingPlan::Kind::turntable);
+  EXPECT_EQ(turn.film->frames, 12u);
+  EXPECT_EQ(turn.film->seconds_per_frame, 0.5);
+  EXPECT_EQ(good({"--film-steps", "a.png"}).film->kind, RecordingPlan::Kind::steps);
+  EXPECT_FALSE(good({"--sample", "fig13"}).film);
+  EXPECT_TRUE(is_refused({"--turntable", "a.jpg"}));
+  EXPECT_TRUE(is_refused({"--turntable", "a.gif", "--film-steps", "b.gif"}));
+  EXPECT_TRUE(is_refused({"--frames", "12"}));
+  EXPECT_TRUE(is_refused({"--turntable", "a.gif", "--frames", "0"}));
+}
+
 TEST(Arguments, NonsenseIsRefused) {
   EXPECT_TRUE(is_refused({"--size", "640"}));
   EXPECT_TRUE(is_refused({"--size", "0x480"}));

@@ -48,8 +48,14 @@ class App::Implementation {
         options_(options),
         renderer_(context),
         session_(options.data_folder, options.dark) {
+    session_.clipboard = {[] {
+                            const char* text = ImGui::GetClipboardText();
+                            return std::string(text ? text : "");
+                          },
+                          [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); }};
     if (!options_.data_folder.empty()) {
       load_settings(settings_path(), session_.view, session_.dialogs.browser.folder);
+      session_.recent = RecentFiles(options_.data_folder / "recent");
       session_.offer_recovery(options_.data_folder);
     }
   }
@@ -75,9 +81,31 @@ class App::Implementation {
     if (options_.wait_for_results) session_.update(0, true);
     tooltip_pending_ = is_tooltip_pending();
     follow_step();
+    record_on();
     draw_picture(seconds);
     ImGui::Render();
     renderer_.draw(*ImGui::GetDrawData());
+  }
+
+  /// One frame of a film for each of the window.
+  void record_on() {
+    if (!session_.recording) return;
+    if (!session_.recording->prepare(session_)) return session_.write_recorded();
+    session_.recording->add(draw_image(session_.recording->plan()));
+  }
+
+  std::vector<Image> film(const RecordingPlan& plan) {
+    interface_.bind();
+    Recording recording(plan, session_);
+    while (recording.prepare(session_)) recording.add(draw_image(plan));
+    return recording.take();
+  }
+
+  Image draw_image(const RecordingPlan& plan) {
+    Picture picture = pictures_.make(session_);
+    picture.quality = Quality::full;
+    return renderer_.draw_image(picture, static_cast<int>(plan.width),
+                                static_cast<int>(plan.height), font_scale_);
   }
 
   bool needs_frame() const {
@@ -148,6 +176,9 @@ class App::Implementation {
       if (event.kind == Event::Kind::drop)
         for (const std::filesystem::path& file : event.files) session_.open(file);
       if (event.kind == Event::Kind::key_down) press(event);
+      if (event.kind == Event::Kind::text && !ImGui::GetIO().WantTextInput &&
+          session_.typed.field.empty())
+        navigation_.text(session_, event.text);
     }
   }
 
@@ -156,6 +187,7 @@ class App::Implementation {
     if (!session_.typed.field.empty()) return;
     if (menu_was_open_) return;
     if (event.key == Key::escape) return escape();
+    if (navigation_.key(session_, event)) return;
     if (!navigation_.is_dragging()) commands_.press(session_, event);
   }
 
@@ -183,10 +215,16 @@ class App::Implementation {
     draw_legend(context);
     draw_hint_strip(context);
     draw_view_panel(context);
+    draw_view_cube(context);
+    draw_context_menu(context);
+    draw_tool_banner(context);
     draw_messages(context);
     draw_status_bar(context);
     draw_questions(context);
+    draw_recording(context);
     draw_file_browser(context);
+    draw_key_page(context);
+    draw_profile_editor(context);
     draw_help(context);
     ImGui::PopFont();
     Widget picture;
@@ -299,6 +337,12 @@ bool App::needs_frame() const {
 }
 double App::time_to_next_frame() const {
   return implementation_->time_to_next_frame();
+}
+void App::record(const RecordingPlan& plan) {
+  implementation_->session().record(plan);
+}
+std::vector<Image> App::film(const RecordingPlan& plan) {
+  return implementation_->film(plan);
 }
 Image App::screenshot() {
   return implementation_->screenshot();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/recording.h"
 #include "events/input.h"
 #include "picture/picture.h"
 #include "render/renderer.h"
@@ -40,6 +41,9 @@ class App {
   /// window when it is done.
   double time_to_next_frame() const;
   Image screenshot();  ///< of the last frame
+  /// Pictures or a film without the interface; written when needs_frame() is false again.
+  void record(const RecordingPlan& plan);
+  std::vector<Image> film(const RecordingPlan& plan);  ///< the same at once
 
   // What tests and the command line drive and look at.
   void open(const std::filesystem::path& path);  ///< a scene or a mesh; errors appear in the window

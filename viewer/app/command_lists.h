@@ -10,8 +10,11 @@ namespace sectile::viewer {
 std::vector<Command> file_commands();
 std::vector<Command> edit_commands();
 std::vector<Command> add_commands();
+std::vector<Command> profile_commands();  ///< stand in the Add menu
+std::vector<Command> place_commands();
+std::vector<Command> pattern_commands();
 std::vector<Command> operation_commands();
-std::vector<Command> handle_commands();
+std::vector<Command> transform_commands();
 std::vector<Command> view_commands();
 std::vector<Command> step_commands();
 std::vector<Command> help_commands();

@@ -1,6 +1,6 @@
 #include "app/commands.h"
 
-#include <numbers>
+#include <algorithm>
 #include <stdexcept>
 
 #include "app/command_lists.h"
@@ -16,6 +16,8 @@ std::string key_name(Key key) {
       return "Esc";
     case Key::tab:
       return "Tab";
+    case Key::backspace:
+      return "Backspace";
     case Key::del:
       return "Del";
     case Key::left:
@@ -28,34 +30,76 @@ std::string key_name(Key key) {
       return "Page Down";
     case Key::home:
       return "Home";
-    case Key::f1:
-      return "F1";
-    case Key::f2:
-      return "F2";
+    case Key::end:
+      return "End";
+    case Key::enter:
+      return "Enter";
     default:
+      if (key >= Key::f1 && key <= Key::f12) {
+        std::string name = "F";
+        return name += std::to_string(static_cast<int>(key) - static_cast<int>(Key::f1) + 1);
+      }
       return std::string(1, static_cast<char>(key));
   }
 }
 
+std::string name_of(const Shortcut& shortcut) {
+  std::string name = shortcut.control ? "Ctrl+" : "";
+  if (shortcut.shift) name += "Shift+";
+  return name += key_name(shortcut.key);
+}
+
+/// All menus, from left to right.
+struct MenuRow {
+  const char* name;
+  const char* title;
+  std::vector<Command> (*commands)();
+};
+constexpr MenuRow menu_table[] = {
+    {"menu.file", "File", file_commands},
+    {"menu.edit", "Edit", edit_commands},
+    {"menu.add", "Add", add_commands},
+    {"menu.transform", "Transform", transform_commands},
+    {"menu.place", "Place", place_commands},
+    {"menu.repeat", "Repeat", pattern_commands},
+    {"menu.operations", "Operations", operation_commands},
+    {"menu.view", "View", view_commands},
+    {"menu.steps", "Steps", step_commands},
+    {"menu.help", "Help", help_commands},
+};
+
 }  // namespace
 
+Command Command::after_line() && {
+  begins_group = true;
+  return std::move(*this);
+}
+
+Command Command::hidden() && {
+  in_menu = false;
+  return std::move(*this);
+}
+
 Commands::Commands() {
-  for (auto list : {file_commands, edit_commands, add_commands, operation_commands, handle_commands,
-                    view_commands, step_commands, help_commands})
-    for (Command& command : list()) commands_.push_back(std::move(command));
+  for (const MenuRow& row : menu_table) menus_.push_back({row.name, row.title, row.commands()});
 }
 
 const Command& Commands::get(std::string_view name) const {
-  for (const Command& command : commands_)
-    if (command.name == name) return command;
+  for (const CommandMenu& menu : menus_)
+    for (const Command& command : menu.commands)
+      if (command.name == name) return command;
   throw std::out_of_range("There is no command " + std::string(name));
 }
 
 bool Commands::press(Session& session, const Event& key_down) const {
-  for (const Command& command : commands_)
-    for (const Shortcut& shortcut : command.keys)
-      if (shortcut.key == key_down.key && shortcut.control == key_down.control &&
-          shortcut.shift == key_down.shift && !key_down.alt && is_enabled(command, session)) {
+  const auto means = [&](const Shortcut& shortcut) {
+    return shortcut.key == key_down.key && shortcut.control == key_down.control &&
+           shortcut.shift == key_down.shift && !key_down.alt;
+  };
+  for (const CommandMenu& menu : menus_)
+    for (const Command& command : menu.commands)
+      if (std::any_of(command.keys.begin(), command.keys.end(), means) &&
+          is_enabled(command, session)) {
         run(session, command);
         return true;
       }
@@ -71,10 +115,16 @@ void Commands::run(Session& session, const Command& command) const {
 }
 
 std::string key_name(const Command& command) {
-  if (command.keys.empty()) return {};
-  const Shortcut& shortcut = command.keys.front();
-  return std::string(shortcut.control ? "Ctrl+" : "") + (shortcut.shift ? "Shift+" : "") +
-         key_name(shortcut.key);
+  return command.keys.empty() ? std::string() : name_of(command.keys.front());
+}
+
+std::string key_names(const Command& command) {
+  std::string names;
+  for (const Shortcut& shortcut : command.keys) {
+    if (!names.empty()) names += ", ";
+    names += name_of(shortcut);
+  }
+  return names;
 }
 
 bool is_enabled(const Command& command, const Session& session) {

@@ -31,23 +31,38 @@ struct Command {
   std::function<void(Session&)> run;
   std::function<bool(const Session&)> can_run = {};  ///< empty: always
   std::function<bool(const Session&)> is_on = {};    ///< empty: not a switch
+  bool in_menu = true;
+  bool begins_group = false;  ///< a line before it in the menu
+  std::string submenu = {};   ///< neighbours with the same one stand in it together
+
+  /// The same, with a line before it in the menu.
+  Command after_line() &&;
+  Command hidden() &&;  ///< the same, in no menu
+};
+
+/// The commands of one menu, in its order.
+struct CommandMenu {
+  std::string name;  ///< of the widget: "menu.edit"
+  std::string title;
+  std::vector<Command> commands;
 };
 
 class Commands {
  public:
   Commands();
-  const std::vector<Command>& all() const { return commands_; }
+  const std::vector<CommandMenu>& menus() const { return menus_; }
   const Command& get(std::string_view name) const;  ///< throws std::out_of_range
   /// Runs what the key stands for; false if it stands for nothing.
   bool press(Session& session, const Event& key_down) const;
   void run(Session& session, const Command& command) const;
 
  private:
-  std::vector<Command> commands_;
+  std::vector<CommandMenu> menus_;
 };
 
 /// "Ctrl+Shift+Z"; empty if there is no key.
 std::string key_name(const Command& command);
+std::string key_names(const Command& command);  ///< all of them: "Ctrl+Shift+Z, Ctrl+Y"
 bool is_enabled(const Command& command, const Session& session);
 
 }  // namespace sectile::viewer

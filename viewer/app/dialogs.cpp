@@ -12,10 +12,15 @@ std::vector<std::string> extensions_for(FileBrowser::Purpose purpose) {
     case FileBrowser::Purpose::save:
       return {".sectile"};
     case FileBrowser::Purpose::open:
-      return {".sectile", ".obj", ".stl", ".off", ".ply"};
+      return {".sectile", ".obj", ".stl", ".off", ".ply", ".3mf"};
     case FileBrowser::Purpose::import:
     case FileBrowser::Purpose::export_solid:
-      return {".obj", ".stl", ".off", ".ply"};
+    case FileBrowser::Purpose::export_all:
+      return {".obj", ".stl", ".off", ".ply", ".3mf"};
+    case FileBrowser::Purpose::picture:
+      return {".png"};
+    case FileBrowser::Purpose::film:
+      return {".gif", ".png"};
   }
   return {};
 }
@@ -27,7 +32,7 @@ std::string lower(std::string text) {
 }
 
 bool writes(FileBrowser::Purpose purpose) {
-  return purpose == FileBrowser::Purpose::save || purpose == FileBrowser::Purpose::export_solid;
+  return purpose != FileBrowser::Purpose::open && purpose != FileBrowser::Purpose::import;
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct Question {
 
 /// Choosing a file to read or to write.
 struct FileBrowser {
-  enum class Purpose { open, save, import, export_solid };
+  enum class Purpose { open, save, import, export_solid, export_all, picture, film };
   struct Entry {
     std::string name;
     bool is_folder = false;
@@ -50,6 +50,7 @@ class Dialogs {
   std::vector<Question> questions;  ///< the first one is shown
   FileBrowser browser;
   bool browsing = false;
+  bool recording = false;            ///< pictures and films
   bool about = false, keys = false;  ///< windows of the Help menu
 };
 

@@ -1,6 +1,10 @@
 // The commands that change the scene.
+#include <memory>
+
+#include "app/box_select.h"
 #include "app/command_lists.h"
 #include "app/icons.h"
+#include "app/modal_transform.h"
 #include "app/words.h"
 
 namespace sectile::viewer {
@@ -8,6 +12,13 @@ namespace {
 
 bool has_selection(const Session& s) {
   return !s.selection().empty();
+}
+bool in_model_with_selection(const Session& s) {
+  return s.mode() == Mode::model && s.selected() != 0;
+}
+bool is_group_selected(const Session& s) {
+  const Node* node = s.scene().find(s.selected());
+  return node && std::holds_alternative<Group>(node->what);
 }
 bool has_solids(const Session& s) {
   return s.scene().size() > 0;
@@ -35,13 +46,44 @@ std::vector<Command> edit_commands() {
        {{'Z', true, true}, {'Y', true}},
        [](Session& s) { s.redo(); },
        [](const Session& s) { return s.document.can_redo(); }},
-      {"edit.duplicate",
-       "Duplicate",
-       "Makes a copy of the selected solids in the same place, and selects it.",
+      Command{"edit.duplicate",
+              "Duplicate",
+              "Makes a copy of the selected solids in the same place, and selects it.",
+              "",
+              {{'D', true}},
+              [](Session& s) { s.duplicate_selected(); },
+              has_selection}
+          .after_line(),
+      {"edit.duplicate_move",
+       "Duplicate and move",
+       "Makes a copy in the same place that follows the mouse; Esc leaves it there.",
        "",
-       {{'D', true}},
-       [](Session& s) { s.duplicate_selected(); },
+       {{'D', false, true}},
+       [](Session& s) {
+         s.duplicate_selected();
+         s.begin_tool(std::make_unique<ModalTransform>(s, HandleMode::move, s.pointer));
+       },
+       in_model_with_selection},
+      {"edit.copy",
+       "Copy",
+       "Puts the selected solids into the clipboard, also for other windows.",
+       "",
+       {{'C', true}},
+       [](Session& s) { s.copy_selected(); },
        has_selection},
+      {"edit.cut",
+       "Cut",
+       "Puts the selected solids into the clipboard and takes them away.",
+       "",
+       {{'X', true}},
+       [](Session& s) { s.cut_selected(); },
+       has_selection},
+      {"edit.paste",
+       "Paste",
+       "Adds the solids that were copied, here or in another window, where they were.",
+       "",
+       {{'V', true}},
+       [](Session& s) { s.paste(); }},
       {"edit.delete",
        "Delete",
        "Takes the selected solids away.",
@@ -49,20 +91,21 @@ std::vector<Command> edit_commands() {
        {{Key::del}, {Key::backspace}},
        [](Session& s) { s.remove_selected(); },
        has_selection},
-      {"edit.group",
-       "Group",
-       "Puts the selected solids together so that they move as one.",
-       "",
-       {{'G', true}},
-       [](Session& s) { s.group_selected(); },
-       has_selection},
+      Command{"edit.group",
+              "Group",
+              "Puts the selected solids together so that they move as one.",
+              "",
+              {{'G', true}},
+              [](Session& s) { s.group_selected(); },
+              has_selection}
+          .after_line(),
       {"edit.ungroup",
        "Ungroup",
        "Takes the selected group apart.",
        "",
        {{'G', true, true}},
        [](Session& s) { s.ungroup_selected(); },
-       has_selection},
+       is_group_selected},
       {"edit.rename",
        "Rename",
        "Gives the selected solid another name.",
@@ -79,13 +122,21 @@ std::vector<Command> edit_commands() {
        {{'H'}},
        [](Session& s) { s.hide_selected(); },
        has_selection},
-      {"edit.select_all",
-       "Select all",
-       "Selects all solids.",
+      Command{"edit.select_all",
+              "Select all",
+              "Selects all solids.",
+              "",
+              {{'A', true}},
+              [](Session& s) { s.select(s.scene().roots()); },
+              has_solids}
+          .after_line(),
+      {"select.box",
+       "Box select",
+       "Drag a box over the solids to select. Shift and a drag do the same at any time.",
        "",
-       {{'A', true}},
-       [](Session& s) { s.select(s.scene().roots()); },
-       has_solids},
+       {{'B'}},
+       [](Session& s) { s.begin_tool(std::make_unique<BoxSelect>()); },
+       [](const Session& s) { return s.mode() == Mode::model && s.scene().size() > 0; }},
   };
 }
 
@@ -96,6 +147,7 @@ std::vector<Command> add_commands() {
                                     icons::plus,
                                     {{'A', false, true}},
                                     [](Session& s) { s.adding = true; }}};
+  commands.front().in_menu = false;
   for (const Primitive::Shape shape : all_shapes)
     commands.push_back({"add." + name_of(shape),
                         capitalised(name_of(shape)),
@@ -103,6 +155,7 @@ std::vector<Command> add_commands() {
                         "",
                         {},
                         [shape](Session& s) { s.add(shape); }});
+  for (Command& command : profile_commands()) commands.push_back(std::move(command));
   return commands;
 }
 

@@ -36,6 +36,11 @@ void export_solid(Session& s) {
                    [&s](const std::filesystem::path& path) { s.export_solid(path); });
 }
 
+void export_all(Session& s) {
+  s.dialogs.browse(FileBrowser::Purpose::export_all, "parts.3mf",
+                   [&s](const std::filesystem::path& path) { s.export_all(path); });
+}
+
 }  // namespace
 
 std::vector<Command> file_commands() {
@@ -59,25 +64,40 @@ std::vector<Command> file_commands() {
        "",
        {{'S', true, true}},
        save_as},
-      {"file.import",
-       "Import mesh\u2026",
-       "Adds the solid of an OBJ, STL, OFF or PLY file.",
-       icons::download,
-       {{'I', true}},
-       import},
+      Command{"file.import",
+              "Import mesh\u2026",
+              "Adds the solid of an OBJ, STL, OFF, PLY or 3MF file.",
+              icons::download,
+              {{'I', true}},
+              import}
+          .after_line(),
       {"file.export",
        "Export result\u2026",
-       "Writes the selected solid as OBJ, STL, OFF or PLY.",
+       "Writes the selected solid as OBJ, STL, OFF, PLY or 3MF.",
        icons::upload,
        {{'E', true}},
        export_solid,
        has_solids},
-      {"file.quit",
-       "Quit",
-       "Closes the program.",
+      {"file.export_all",
+       "Export all solids\u2026",
+       "Writes every solid that is shown: into one 3MF file, or each into a file of its own.",
        "",
-       {{'Q', true}},
-       [](Session& s) { s.after_saving("Quit", [&s] { s.wants_to_close = true; }); }},
+       {{'E', true, true}},
+       export_all,
+       has_solids},
+      {"file.record",
+       "Save picture or film\u2026",
+       "The picture at any size; a turntable or the steps as an animated GIF or as frames.",
+       "",
+       {{Key::f12}},
+       [](Session& s) { s.dialogs.recording = true; }},
+      Command{"file.quit",
+              "Quit",
+              "Closes the program.",
+              "",
+              {{'Q', true}},
+              [](Session& s) { s.after_saving("Quit", [&s] { s.wants_to_close = true; }); }}
+          .after_line(),
   };
 }
 

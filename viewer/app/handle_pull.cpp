@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/words.h"
+#include "picture/theme.h"
 #include "scene/transforms.h"
 
 namespace sectile::viewer {
@@ -53,6 +54,16 @@ const char* name_of(Snap::Kind kind) {
   return "";
 }
 
+/// Above the handles, but not outside of the picture.
+glm::dvec3 place_of_text(const Handles& handles, const Session& session) {
+  const glm::dvec2 size = session.picture_size;
+  const glm::dvec3 above = handles.origin + 1.3 * handles.size * session.camera.up();
+  const glm::dvec2 pixel(session.camera.project(above, size));
+  const glm::dvec2 most = glm::max(glm::dvec2(8, 24), size - glm::dvec2(260, 80));
+  const Ray ray = session.camera.ray(glm::clamp(pixel, glm::dvec2(8, 24), most), size);
+  return ray.origin + session.camera.distance * ray.direction;
+}
+
 bool is_axis(HandlePart part) {
   return part <= HandlePart::axis_z;
 }
@@ -67,24 +78,40 @@ double& coordinate(Vec3& v, int i) {
 }  // namespace
 
 std::optional<Handles> handles_of(const Session& session) {
+  // What is stretched along other axes than its own would be sheared.
+  return handles_of(session, session.local_axes || session.handles == HandleMode::scale);
+}
+
+std::optional<Handles> handles_of(const Session& session, bool own_axes) {
   const NodeId id = session.selected();
   if (session.mode() != Mode::model || !session.scene().find(id)) return std::nullopt;
   Transform world = session.scene().world(id);
   const glm::dvec3 pivot = pivot_of(session, {world.m[3], world.m[7], world.m[11]});
   world.m[3] = pivot.x, world.m[7] = pivot.y, world.m[11] = pivot.z;
-  // What is stretched along other axes than its own would be sheared.
-  const bool own_axes = session.local_axes || session.handles == HandleMode::scale;
   return Handles::at(session.handles, world, own_axes, session.camera, session.picture_size);
 }
 
 HandlePull::HandlePull(const Session& session, const Handles& handles, HandlePart part,
                        glm::dvec2 pixel)
+    : HandlePull(session, handles, part, pixel, session.local_axes) {}
+
+HandlePull::HandlePull(const Session& session, const Handles& handles, HandlePart part,
+                       glm::dvec2 pixel, bool own_axes)
     : start_(session.scene()),
       nodes_(session.topmost_selected()),
       handles_(handles),
       part_(part),
       drag_(handles, part, session.camera.ray(pixel, session.picture_size), session.camera),
-      own_axes_(session.local_axes) {}
+      own_axes_(own_axes) {}
+
+void add_marks(Picture& picture, const Session& session, const Handles& handles,
+               const PullState& state) {
+  const Theme& colours = theme(session.view.dark);
+  if (!state.edges.empty()) picture.lines.push_back({state.edges, colours.step, 4, true});
+  if (!state.points.empty()) picture.points.push_back({state.points, colours.step, 12});
+  if (!state.text.empty())
+    picture.labels.push_back({place_of_text(handles, session), state.text, colours.text, true});
+}
 
 Handles HandlePull::handles() const {
   Handles now = handles_;
@@ -93,7 +120,11 @@ Handles HandlePull::handles() const {
 }
 
 void HandlePull::pull(Session& session, glm::dvec2 pixel, bool snapping, KnownTargets& known) {
-  const HandleChange change = drag_.change(session.camera.ray(pixel, session.picture_size));
+  show(session, drag_.change(session.camera.ray(pixel, session.picture_size)), snapping, known);
+}
+
+void HandlePull::show(Session& session, const HandleChange& change, bool snapping,
+                      KnownTargets& known) {
   state_ = {};
   const bool moves = handles_.mode == HandleMode::move;
   Scene scene =
@@ -244,11 +275,13 @@ Scene HandlePull::turned_or_scaled(HandleChange change, bool snapping) {
     scene.edit(id).placement =
         changed(start_.at(id).placement, start_.world_of_parent(id), handles_, change);
   const bool has_axis = part_ != HandlePart::centre;
-  const std::string axis = has_axis ? axis_names[axis_of(part_)] : "";
+  const bool in_plane = part_ >= HandlePart::plane_x && part_ <= HandlePart::plane_z;
+  const std::string axis = has_axis && !in_plane ? axis_names[axis_of(part_)] : "";
   if (handles_.mode == HandleMode::rotate)
     state_.text = (has_axis ? "About " + axis + "  " : "") + number(change.degrees) + "\u00B0";
   else
-    state_.text = (has_axis ? axis + "  " : "") + "\u00D7 " + number(change.scale[axis_of(part_)]);
+    state_.text = (has_axis ? axis + "  " : "") + "\u00D7 " +
+                  number(change.scale[in_plane ? (axis_of(part_) + 1) % 3 : axis_of(part_)]);
   return scene;
 }
 

@@ -14,6 +14,7 @@ namespace sectile::viewer {
 
 /// At the solid selected last; none without a selection, and none in the steps.
 std::optional<Handles> handles_of(const Session& session);
+std::optional<Handles> handles_of(const Session& session, bool own_axes);
 
 /// What a drag has come to.
 struct PullState {
@@ -24,11 +25,19 @@ struct PullState {
   bool leaves_axis = false;  ///< to be exact, the contact would need more than this handle does
 };
 
+/// Draws what a drag touches, and how far it came above the handles.
+void add_marks(Picture& picture, const Session& session, const Handles& handles,
+               const PullState& state);
+
 class HandlePull {
  public:
   HandlePull(const Session& session, const Handles& handles, HandlePart part, glm::dvec2 pixel);
+  HandlePull(const Session& session, const Handles& handles, HandlePart part, glm::dvec2 pixel,
+             bool own_axes);
   /// Shows the scene with the handle pulled to the pointer, as a draft.
   void pull(Session& session, glm::dvec2 pixel, bool snapping, KnownTargets& known);
+  /// The same with a change that does not come from the pointer.
+  void show(Session& session, const HandleChange& change, bool snapping, KnownTargets& known);
   HandlePart part() const { return part_; }
   Handles handles() const;  ///< where they are now
   const PullState& state() const { return state_; }

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "app/box_select.h"
 #include "app/clicking.h"
 #include "app/handle_pull.h"
-#include "picture/theme.h"
 
 namespace sectile::viewer {
 namespace {
@@ -42,14 +42,11 @@ std::vector<NamedPart> parts_of(HandleMode mode) {
   return {std::begin(scaling), std::end(scaling)};
 }
 
-/// Above the handles, but not outside of the picture.
-glm::dvec3 place_of_text(const Handles& handles, const Session& session) {
-  const glm::dvec2 size = session.picture_size;
-  const glm::dvec3 above = handles.origin + 1.3 * handles.size * session.camera.up();
-  const glm::dvec2 pixel(session.camera.project(above, size));
-  const glm::dvec2 most = glm::max(glm::dvec2(8, 24), size - glm::dvec2(260, 80));
-  const Ray ray = session.camera.ray(glm::clamp(pixel, glm::dvec2(8, 24), most), size);
-  return ray.origin + session.camera.distance * ray.direction;
+/// Does a node, or one below it, belong to the selection?
+bool is_selected_above(const Session& session, NodeId id) {
+  for (const NodeId selected : session.selection())
+    if (id != 0 && session.scene().is_below(selected, id)) return true;
+  return false;
 }
 
 }  // namespace
@@ -66,6 +63,14 @@ struct Navigation::State {
   void press(Session& session, glm::dvec2 at, int pressed_button);
   void follow(Session& session, glm::dvec2 at, glm::dvec2 size);
   void release(Session& session, glm::dvec2 at, glm::dvec2 size);
+  void begin_drag(Session& session, glm::dvec2 at);
+  bool let_tool_act(Session& session, glm::dvec2 at, bool over);
+  bool with_control = false;  // at the last look
+
+  static Pointer pointer(glm::dvec2 at) {
+    const ImGuiIO& io = ImGui::GetIO();
+    return {at, io.KeyShift, io.KeyCtrl};
+  }
 };
 
 Navigation::Navigation() : state_(std::make_unique<State>()) {}
@@ -76,6 +81,10 @@ bool Navigation::is_dragging() const {
 }
 
 bool Navigation::escape(Session& session) {
+  if (session.tool) {
+    session.end_tool();
+    return true;
+  }
   if (!state_->drag) return false;
   session.document.drop_draft();
   state_->drag.reset();
@@ -84,8 +93,21 @@ bool Navigation::escape(Session& session) {
   return true;
 }
 
+bool Navigation::key(Session& session, const Event& event) {
+  if (!session.tool) return false;
+  const bool taken = session.tool->key(session, event);
+  session.drop_done_tool();
+  return taken;
+}
+
+void Navigation::text(Session& session, const std::string& typed) {
+  if (session.tool) session.tool->text(session, typed);
+  session.drop_done_tool();
+}
+
 void Navigation::add_to(Picture& picture, const Session& session) const {
   const State& state = *state_;
+  if (session.tool) return session.tool->add_to(picture, session);
   const std::optional<Handles> handles = state.drag ? state.drag->handles() : handles_of(session);
   if (!handles) return;
   HandlePicture drawn = draw(*handles, state.drag ? state.drag->part() : state.hovered,
@@ -97,18 +119,12 @@ void Navigation::add_to(Picture& picture, const Session& session) const {
   append(picture.surfaces, drawn.surfaces);
   append(picture.lines, drawn.lines);
   append(picture.points, drawn.points);
-  if (!state.drag) return;
-  const PullState& pull = state.drag->state();
-  const Theme& colours = theme(session.view.dark);
-  if (!pull.edges.empty()) picture.lines.push_back({pull.edges, colours.step, 4, true});
-  if (!pull.points.empty()) picture.points.push_back({pull.points, colours.step, 12});
-  if (!pull.text.empty())
-    picture.labels.push_back({place_of_text(*handles, session), pull.text, colours.text, true});
+  if (state.drag) add_marks(picture, session, *handles, state.drag->state());
 }
 
 void Navigation::record(Widgets& widgets, const Session& session, const Rectangle& place) const {
   const std::optional<Handles> handles = handles_of(session);
-  if (!handles) return;
+  if (!handles || session.tool) return;
   for (const auto& [part, name] : parts_of(handles->mode)) {
     const glm::dvec3 pixel =
         session.camera.project(handles->grip(part, session.camera), session.picture_size);
@@ -128,11 +144,21 @@ void Navigation::State::press(Session& session, glm::dvec2 at, int pressed_butto
   drag.emplace(session, *handles_of(session), *hovered, at);
 }
 
+void Navigation::State::begin_drag(Session& session, glm::dvec2 at) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool pans = button == 1 || (button == 2 && io.KeyShift);
+  gesture = pans ? Gesture::pan : Gesture::orbit;
+  if (button != 0 || !io.KeyShift || session.tool || session.mode() != Mode::model) return;
+  const glm::dvec2 way(io.MousePos.x - pressed_at.x, io.MousePos.y - pressed_at.y);
+  session.begin_tool(std::make_unique<BoxSelect>(at - way));
+  gesture = Gesture::none;
+}
+
 void Navigation::State::follow(Session& session, glm::dvec2 at, glm::dvec2 size) {
   const ImGuiIO& io = ImGui::GetIO();
   if (gesture == Gesture::pressed &&
       std::hypot(io.MousePos.x - pressed_at.x, io.MousePos.y - pressed_at.y) > click_reach)
-    gesture = io.KeyShift && button != 0 ? Gesture::pan : Gesture::orbit;
+    begin_drag(session, at);
   const glm::dvec2 by(io.MouseDelta.x, io.MouseDelta.y);
   if (gesture == Gesture::orbit) session.camera.orbit(-turn_per_unit * by.x, turn_per_unit * by.y);
   if (gesture == Gesture::pan) session.camera.pan(by, size);
@@ -142,9 +168,21 @@ void Navigation::State::follow(Session& session, glm::dvec2 at, glm::dvec2 size)
 
 void Navigation::State::release(Session& session, glm::dvec2 at, glm::dvec2 size) {
   const ImGuiIO& io = ImGui::GetIO();
+  if (session.tool) {
+    // A click: drags turned the view.
+    if (gesture == Gesture::pressed && button == 0) session.tool->press(session, pointer(at));
+    session.drop_done_tool();
+    gesture = Gesture::none;
+    return;
+  }
   if (gesture == Gesture::handle) {
     session.document.commit_draft();
     drag.reset();
+  }
+  if (gesture == Gesture::pressed && button == 1) {
+    const NodeId hit = clicked_node(session, picker, session.camera.ray(at, size), Depth::outer);
+    if (session.mode() == Mode::model && !is_selected_above(session, hit)) session.select(hit);
+    session.context_menu = true;
   }
   if (gesture == Gesture::pressed && button == 0 && session.mode() == Mode::model)
     session.select(clicked_node(session, picker, session.camera.ray(at, size), Depth::outer),
@@ -152,22 +190,50 @@ void Navigation::State::release(Session& session, glm::dvec2 at, glm::dvec2 size
   gesture = Gesture::none;
 }
 
+/// Tools that take the mouse; true if nothing else of it is left.
+bool Navigation::State::let_tool_act(Session& session, glm::dvec2 at, bool over) {
+  if (!session.tool) return false;
+  const ImGuiIO& io = ImGui::GetIO();
+  PictureTool& tool = *session.tool;
+  const PictureTool::Mouse mouse = tool.mouse();
+  const Pointer now = pointer(at);
+  const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.KeyCtrl != with_control;
+  with_control = io.KeyCtrl;
+  if (moved && (over || mouse != PictureTool::Mouse::clicks)) tool.follow(session, now);
+  if (mouse == PictureTool::Mouse::clicks) return false;
+  if (ImGui::IsMouseClicked(0) && (over || mouse == PictureTool::Mouse::all))
+    tool.press(session, now);
+  else if (ImGui::IsMouseReleased(0))
+    tool.release(session, now);
+  else if (ImGui::IsMouseClicked(1) && mouse == PictureTool::Mouse::all)
+    session.end_tool();
+  session.drop_done_tool();
+  return mouse == PictureTool::Mouse::all || io.MouseDown[0];
+}
+
 void Navigation::update(Session& session, const Rectangle& place) {
   const ImGuiIO& io = ImGui::GetIO();
   State& state = *state_;
   const glm::dvec2 size(place.width, place.height);
   const glm::dvec2 at(io.MousePos.x - place.x, io.MousePos.y - place.y);
+  session.pointer = at;
   const bool over = place.contains(io.MousePos.x, io.MousePos.y) && !io.WantCaptureMouse;
   if (over && io.MouseWheel != 0)
     session.camera.zoom(std::pow(zoom_per_notch, static_cast<double>(io.MouseWheel)), at, size);
+  if (state.let_tool_act(session, at, over)) {
+    state.gesture = Gesture::none;
+    return;
+  }
   if (state.gesture == Gesture::none) {
-    const std::optional<Handles> handles = over ? handles_of(session) : std::nullopt;
+    const std::optional<Handles> handles =
+        over && !session.tool ? handles_of(session) : std::nullopt;
     state.hovered = handles ? handles->part_at(session.camera, at, size) : std::nullopt;
   }
   if (state.gesture == Gesture::none && over) {
     for (const int button : {0, 1, 2})
       if (ImGui::IsMouseClicked(button)) state.press(session, at, button);
-    if (ImGui::IsMouseDoubleClicked(0) && !state.drag && session.mode() == Mode::model) {
+    if (ImGui::IsMouseDoubleClicked(0) && !state.drag && !session.tool &&
+        session.mode() == Mode::model) {
       const NodeId hit =
           clicked_node(session, state.picker, session.camera.ray(at, size), Depth::inner);
       if (hit) session.select(hit);
@@ -176,8 +242,14 @@ void Navigation::update(Session& session, const Rectangle& place) {
   }
   if (state.gesture == Gesture::none) return;
   state.follow(session, at, size);
+  if (session.tool && state.gesture == Gesture::none) {
+    // A box was begun, and perhaps the button let go in the same frame.
+    session.tool->follow(session, State::pointer(at));
+    if (!io.MouseDown[0]) session.tool->release(session, State::pointer(at));
+    return session.drop_done_tool();
+  }
   if (!io.MouseDown[state.button]) state.release(session, at, size);
-  session.dragging = state.drag ? state.drag->state().text : std::string();
+  if (!session.tool) session.dragging = state.drag ? state.drag->state().text : std::string();
 }
 
 }  // namespace sectile::viewer

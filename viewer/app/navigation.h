@@ -7,6 +7,7 @@
 #include "app/layout.h"
 #include "app/session.h"
 #include "app/widgets.h"
+#include "events/input.h"
 #include "picture/picture.h"
 
 namespace sectile::viewer {
@@ -19,6 +20,9 @@ class Navigation {
   void update(Session& session, const Rectangle& place);
   /// Esc: takes a drag back. False if there was none.
   bool escape(Session& session);
+  /// Keys and texts for the tool that is there. False: the key is none of its business.
+  bool key(Session& session, const Event& event);
+  void text(Session& session, const std::string& typed);
   /// Handles, and whatever else the gestures show, on top of the scene.
   void add_to(Picture& picture, const Session& session) const;
   bool is_dragging() const;

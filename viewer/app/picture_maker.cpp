@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "app/dimensions.h"
 #include "picture/section_lines.h"
 #include "picture/theme.h"
 #include "scene/transforms.h"
@@ -45,7 +46,7 @@ class ShapeCollector {
 
   void add(NodeId id) {
     const Node* node = session_.scene().find(id);
-    if (!node || !node->visible) return;
+    if (!node || !node->visible || !session_.passes_isolation(id)) return;
     if (std::holds_alternative<Group>(node->what)) {
       for (const NodeId child : node->children) add(child);
       return;
@@ -93,7 +94,10 @@ class ShapeCollector {
   }
 
   Colour colour_of(const Node& node) const {
-    if (node.id == worked_on_ || is_operation(node) || std::holds_alternative<SplitNode>(node.what))
+    if (node.colour && chosen_.size() < 2)
+      return {(*node.colour)[0], (*node.colour)[1], (*node.colour)[2], 1};
+    if (node.id == worked_on_ || is_operation(node) ||
+        std::holds_alternative<SplitNode>(node.what) || std::holds_alternative<Pattern>(node.what))
       return theme_.result;
     if (chosen_.size() >= 2) {
       const auto found = std::find(chosen_.begin(), chosen_.end(), node.id);
@@ -167,6 +171,8 @@ Picture PictureMaker::model(const Session& session) const {
   const std::vector<Shape> shapes = visible_shapes(session);
   for (const Shape& shape : shapes) picture.surfaces.push_back(shape.surface);
   if (session.view.labels) add_labels(session, shapes, picture);
+  if (session.view.dimensions || session.document.has_draft())
+    add_dimensions(picture, session, shapes);
   return picture;
 }
 

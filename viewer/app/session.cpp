@@ -1,6 +1,7 @@
 #include "app/session.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/transforms.h"
 
@@ -128,16 +129,70 @@ void Session::show_section(bool on, int axis) {
   view.section = on;
   view.section_axis = axis;
   const Bounds bounds = bounds_of_all();
-  if (!on || bounds.is_empty()) return;
+  if (!on || view.section_oblique || bounds.is_empty()) return;
   const double low = bounds.low[axis], high = bounds.high[axis];
   if (view.section_place <= low || view.section_place >= high)
     view.section_place = 0.5 * (low + high);
 }
 
+bool Session::is_isolating() const {
+  return std::any_of(isolated_.begin(), isolated_.end(),
+                     [&](NodeId id) { return scene().find(id) != nullptr; });
+}
+
+bool Session::passes_isolation(NodeId id) const {
+  if (!is_isolating()) return true;
+  return std::any_of(isolated_.begin(), isolated_.end(), [&](NodeId isolated) {
+    return scene().find(isolated) &&
+           (scene().is_below(id, isolated) || scene().is_below(isolated, id));
+  });
+}
+
+void Session::isolate_selected() {
+  if (is_isolating()) {
+    isolated_.clear();
+    return;
+  }
+  isolated_ = topmost_selected();
+  if (!isolated_.empty()) messages.tell("Only the selection is shown. Press / to show all again.");
+}
+
+void Session::begin_tool(std::unique_ptr<PictureTool> wanted) {
+  end_tool();
+  document.drop_draft();
+  tool = std::move(wanted);
+}
+
+void Session::end_tool() {
+  if (tool) tool->give_up(*this);
+  tool.reset();
+}
+
+void Session::drop_done_tool() {
+  if (tool && tool->is_done()) tool.reset();
+}
+
 glm::dvec4 Session::section_plane() const {
   glm::dvec4 plane{0, 0, 0, -view.section_place};
-  plane[view.section_axis] = 1;
+  if (view.section_oblique)
+    plane = {view.section_normal, -view.section_place};
+  else
+    plane[view.section_axis] = 1;
   return view.section_flipped ? -plane : plane;
+}
+
+void ViewSettings::set_section(const glm::dvec3& normal, double place) {
+  section_oblique = true;
+  section_normal = normal;
+  section_place = place;
+  section_flipped = false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(normal[axis]) == 1) {
+      section_oblique = false;
+      section_axis = axis;
+      section_flipped = normal[axis] < 0;
+      section_place = normal[axis] * place;
+    }
 }
 
 void Session::after_saving(const std::string& about, std::function<void()> then) {

@@ -15,6 +15,10 @@
 #include "app/file_work.h"
 #include "app/messages.h"
 #include "app/number_field.h"
+#include "app/picture_tool.h"
+#include "app/profile_editor.h"
+#include "app/recent_files.h"
+#include "app/recording.h"
 #include "app/story_player.h"
 #include "app/view_settings.h"
 #include "evaluation/evaluator.h"
@@ -36,6 +40,12 @@ struct Renaming {
   NodeId node = 0;  ///< 0: none
   bool begun = false;
   std::string text;
+};
+
+/// The desktop's, or one of the program alone.
+struct Clipboard {
+  std::function<std::string()> read;
+  std::function<void(const std::string&)> write;
 };
 
 class Session {
@@ -60,6 +70,13 @@ class Session {
   void offer_recovery(
       const std::filesystem::path& data_folder);  ///< asks, if an earlier session crashed
   void export_solid(const std::filesystem::path& path);
+  /// The solids that are shown at the top of the tree: all into one 3MF file, or each into a file
+  /// of its own beside `path`, named after both: parts.stl becomes "parts-Block.stl" and so on.
+  void export_all(const std::filesystem::path& path);
+  /// Asks for the file of `recording_plan`, then begins to record.
+  void choose_recording_file();
+  void record(const RecordingPlan& plan);
+  void write_recorded();  ///< in the background, once all frames are made
   /// Runs `then` at once, or after the question whether changes are to be saved.
   void after_saving(const std::string& about, std::function<void()> then);
 
@@ -78,16 +95,26 @@ class Session {
   void combine(Operation operation);
   void split();
   void duplicate_selected();
+  void copy_selected();
+  void cut_selected();
+  void paste();
   void remove_selected();
   void group_selected();
   void ungroup_selected();
   void hide_selected();
+  /// Makes or changes the solid of the profile editor, and closes it.
+  void take_profile();
   void rename(NodeId id, const std::string& name);
 
   // --- Looking ---
   void set_mode(Mode wanted);
   Mode mode() const { return mode_; }
   void look_at_selection();
+  /// Shows only what is selected, or everything again.
+  void isolate_selected();
+  bool is_isolating() const;
+  /// Is a node drawn as far as isolating is concerned?
+  bool passes_isolation(NodeId id) const;
   void look_at_all();
   /// From here, instead of framing what is being opened.
   void keep_camera(const Camera& wanted) { camera = wanted, frame_next_ = false; }
@@ -100,6 +127,11 @@ class Session {
   void show_section(bool on, int axis);
   /// The plane of the section in world coordinates: cut away is what lies on its positive side.
   glm::dvec4 section_plane() const;
+
+  // --- Tools in the picture ---
+  void begin_tool(std::unique_ptr<PictureTool> wanted);  ///< the one before is given up
+  void end_tool();                                       ///< gives it up
+  void drop_done_tool();
 
   // --- Results ---
   const Evaluation* evaluation() const { return evaluation_.get(); }
@@ -136,9 +168,17 @@ class Session {
   std::string dragging;  ///< how far a drag of a handle has come and what it touches, in words
   Renaming renaming;
   TypedField typed;
-  bool adding = false;      ///< the list of primitives is to open
-  bool view_panel = false;  ///< the view settings are open
-  std::string typed_stop;   ///< a break point that is being typed
+  Clipboard clipboard;
+  RecentFiles recent;
+  RecordingPlan recording_plan;
+  std::optional<Recording> recording;  ///< under way
+  ProfileEditor profile;
+  bool context_menu = false;          ///< is to open where the pointer is
+  std::unique_ptr<PictureTool> tool;  ///< null: none
+  glm::dvec2 pointer{0};              ///< where the mouse is in the picture
+  bool adding = false;                ///< the list of primitives is to open
+  bool view_panel = false;            ///< the view settings are open
+  std::string typed_stop;             ///< a break point that is being typed
   bool wants_to_close = false;
 
  private:
@@ -162,6 +202,7 @@ class Session {
   std::shared_ptr<const Evaluation> evaluation_;
   std::uint64_t seen_revision_ = 0, newest_request_ = 0;
   Mode mode_ = Mode::model;
+  Selection isolated_;       ///< empty: everything is shown
   bool frame_next_ = false;  ///< look at everything as soon as it is computed
   std::map<NodeId, std::string> told_errors_;
   std::map<NodeId, SolidNumbers> numbers_;

@@ -70,6 +70,7 @@ void Session::split() {
   if (!view.section) {
     view.section = true;
     view.section_axis = 2;
+    view.section_oblique = false;
     const Bounds bounds = bounds_of(chosen.front());
     view.section_place = bounds.is_empty() ? 0 : bounds.centre().z;
     messages.tell("Place the section plane under View, then split again.");
@@ -151,6 +152,24 @@ void Session::hide_selected() {
     change(any_visible ? "Hide" : "Show", [&](Scene& changed) {
       for (const NodeId id : chosen) changed.edit(id).visible = !any_visible;
     });
+}
+
+void Session::take_profile() {
+  Primitive primitive = profile.primitive;
+  primitive.profile = profile.sketch.profile();
+  NodeId made = profile.node;
+  if (change(made ? "Edit profile" : "Draw profile", [&](Scene& changed) {
+        if (made) {
+          changed.edit(made).what = primitive;
+          return;
+        }
+        Node node;
+        node.what = primitive;
+        node.placement = profile.placement;
+        made = changed.add(std::move(node));
+      }))
+    select(made);
+  profile.open = false;
 }
 
 void Session::rename(NodeId id, const std::string& name) {

@@ -1,5 +1,7 @@
 // Opening, saving, importing, exporting.
 #include <algorithm>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "app/samples_menu.h"
@@ -44,6 +46,7 @@ std::shared_ptr<const PolygonMesh> read_solid(const std::filesystem::path& path)
 void Session::start(Scene scene, std::filesystem::path path) {
   document.start(std::move(scene), std::move(path));
   told_errors_.clear();
+  isolated_.clear();
   mode_ = Mode::model;
   frame_next_ = true;
 }
@@ -71,8 +74,10 @@ void Session::open(const std::filesystem::path& path) {
                 [this, path]() -> FileWork::Finish {
                   const auto scene = std::make_shared<Scene>(read_scene(path).scene);
                   return [this, path, scene] {
-                    after_saving("Open " + path.filename().string(),
-                                 [this, path, scene] { start(*scene, path); });
+                    after_saving("Open " + path.filename().string(), [this, path, scene] {
+                      start(*scene, path);
+                      recent.add(path);
+                    });
                   };
                 });
 }
@@ -95,6 +100,7 @@ void Session::add_imported(const std::filesystem::path& path,
     node.what = Imported{path, std::move(mesh)};
     added = changed.add(std::move(node));
   });
+  if (done) recent.add(path);
   if (done) select(added);
   if (done && first) frame_next_ = true;
 }
@@ -114,6 +120,7 @@ bool Session::save(const std::filesystem::path& path) {
     messages.error(error.what());
     return false;
   }
+  recent.add(path);
   messages.tell("Saved as " + path.filename().string() + ".");
   return true;
 }
@@ -153,6 +160,91 @@ void Session::export_solid(const std::filesystem::path& path) {
                   write_mesh(path, whole.to_mesh());
                   return [this, path] {
                     messages.tell("Exported to " + path.filename().string() + ".");
+                  };
+                });
+}
+
+namespace {
+
+/// All of them into one 3MF file, or each into a file beside `path`, named after both. They appear
+/// together or not at all. Gives how many files there are.
+std::size_t write_solids(const std::filesystem::path& path, const Model& model) {
+  if (format_of(path) == FileFormat::three_mf) {
+    write_model(path, model);
+    return 1;
+  }
+  WholeFiles files;
+  std::set<std::string> taken;
+  for (const NamedMesh& solid : model.meshes) {
+    std::string name = solid.name;
+    for (char& c : name)
+      if (c == '/' || c == '\\' || static_cast<unsigned char>(c) < 32) c = '_';
+    std::string free = name;
+    for (int i = 2; !taken.insert(free).second; ++i) free = name + " " + std::to_string(i);
+    const std::filesystem::path file =
+        path.parent_path() / (path.stem().string() + "-" + free + path.extension().string());
+    std::ostringstream content;
+    write_mesh(content, format_of(file), solid.mesh, file.string());
+    files.add(file, content.view());
+  }
+  files.place();
+  return model.meshes.size();
+}
+
+}  // namespace
+
+void Session::export_all(const std::filesystem::path& path) {
+  std::vector<std::pair<std::string, Solid>> solids;
+  for (const NodeId root : scene().roots()) {
+    const Solid* exported = solid(root);
+    if (scene().is_shown(root) && exported && !exported->is_empty())
+      solids.emplace_back(scene().at(root).name, *exported);
+  }
+  if (solids.empty()) {
+    messages.error("There is nothing to export: no solid is shown.");
+    return;
+  }
+  in_background(
+      FileWork::Kind::writing, "Writing " + std::to_string(solids.size()) + " solids\u2026",
+      [this, path, solids]() -> FileWork::Finish {
+        Model model;
+        for (const auto& [name, written] : solids)
+          model.meshes.push_back({name, written.to_mesh()});
+        const std::size_t files = write_solids(path, model);
+        return [this, path, files, count = solids.size()] {
+          messages.tell(std::to_string(count) + " solids exported to " +
+                        (files == 1
+                             ? path.filename().string()
+                             : std::to_string(files) + " files in " + path.parent_path().string()) +
+                        ".");
+        };
+      });
+}
+
+void Session::choose_recording_file() {
+  const bool film = recording_plan.is_film();
+  dialogs.browse(film ? FileBrowser::Purpose::film : FileBrowser::Purpose::picture,
+                 film ? "film.gif" : "picture.png", [this](const std::filesystem::path& path) {
+                   recording_plan.path = path;
+                   record(recording_plan);
+                 });
+}
+
+void Session::record(const RecordingPlan& plan) {
+  if (const std::string problem = problem_of(plan, *this); !problem.empty())
+    return messages.error(problem);
+  recording.emplace(plan, *this);
+}
+
+void Session::write_recorded() {
+  const auto images = std::make_shared<const std::vector<Image>>(recording->take());
+  const RecordingPlan plan = recording->plan();
+  recording.reset();
+  in_background(FileWork::Kind::writing, "Writing " + plan.path.filename().string() + "\u2026",
+                [this, plan, images]() -> FileWork::Finish {
+                  write_recording(plan, *images);
+                  return [this, plan] {
+                    messages.tell("Saved as " + plan.path.filename().string() + ".");
                   };
                 });
 }

@@ -129,11 +129,14 @@ std::string Session::why_no_story() const {
 }
 
 bool Session::is_busy() const {
-  return evaluator_.is_busy() || document.revision() != seen_revision_ || files_.is_busy() ||
-         (mode_ == Mode::steps && player.is_busy());
+  return recording.has_value() || evaluator_.is_busy() || document.revision() != seen_revision_ ||
+         files_.is_busy() || (mode_ == Mode::steps && player.is_busy());
 }
 
 std::string Session::activity() const {
+  if (recording)
+    return "Recording " + std::to_string(recording->done()) + " of " +
+           std::to_string(recording->frames()) + "\u2026";
   if (files_.is_busy()) return files_.activity();
   if (evaluator_.is_busy()) return "Computing the result\u2026";
   if (mode_ == Mode::steps && player.is_busy()) return "Telling the steps\u2026";
@@ -141,10 +144,18 @@ std::string Session::activity() const {
 }
 
 double Session::progress() const {
+  if (recording)
+    return static_cast<double>(recording->done()) / static_cast<double>(recording->frames());
   return evaluator_.is_busy() ? evaluator_.progress() : 0;
 }
 
 void Session::cancel() {
+  if (recording) {
+    recording->stop(*this);
+    recording.reset();
+    messages.tell("Cancelled. Nothing was recorded.");
+    return;
+  }
   const bool reading = files_.is_busy();
   files_.give_up_reading();
   evaluator_.cancel();

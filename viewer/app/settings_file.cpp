@@ -12,11 +12,12 @@
 namespace sectile::viewer {
 namespace {
 
-constexpr std::array<std::pair<const char*, bool ViewSettings::*>, 4> kept{{
+constexpr std::array<std::pair<const char*, bool ViewSettings::*>, 5> kept{{
     {"dark", &ViewSettings::dark},
     {"grid", &ViewSettings::grid},
     {"axes", &ViewSettings::axes},
     {"hints", &ViewSettings::hints},
+    {"cube", &ViewSettings::cube},
 }};
 
 constexpr std::array<std::pair<const char*, double ViewSettings::*>, 4> kept_sizes{{

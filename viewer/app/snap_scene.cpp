@@ -10,7 +10,7 @@ namespace {
 
 bool computes(const Node& node) {
   return std::holds_alternative<BooleanNode>(node.what) ||
-         std::holds_alternative<SplitNode>(node.what);
+         std::holds_alternative<SplitNode>(node.what) || std::holds_alternative<Pattern>(node.what);
 }
 
 /// The nearest operation above all of the nodes; 0 if there is none, or not the same.

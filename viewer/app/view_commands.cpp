@@ -1,22 +1,25 @@
 // The commands that change only what is seen.
+#include <memory>
 #include <numbers>
 #include <utility>
 
 #include "app/command_lists.h"
 #include "app/icons.h"
+#include "app/measure_tool.h"
+#include "app/section_tool.h"
 
 namespace sectile::viewer {
 namespace {
 
 using std::numbers::pi;
 
-Command look_from(const char* name, const char* title, char key, double azimuth, double elevation) {
-  return {name,
-          title,
-          std::string("Looks from the ") + title + ".",
-          "",
-          {{key}},
-          [=](Session& s) { s.camera.azimuth = azimuth, s.camera.elevation = elevation; }};
+Command look_from(const char* name, const char* title, Shortcut key, double azimuth,
+                  double elevation) {
+  Command made{
+      name, title, "Turns the view so that this side is seen.",
+      "",   {key}, [=](Session& s) { s.camera.azimuth = azimuth, s.camera.elevation = elevation; }};
+  made.submenu = "Look at the";
+  return made;
 }
 
 Command view_switch(const char* name, const char* title, const char* help,
@@ -47,9 +50,20 @@ std::vector<Command> view_commands() {
        icons::home,
        {{Key::home}},
        [](Session& s) { s.look_at_all(); }},
-      look_from("view.front", "front", '1', -pi / 2, 0),
-      look_from("view.right", "right", '3', 0, 0),
-      look_from("view.top", "top", '7', -pi / 2, pi / 2),
+      look_from("view.front", "Front", '1', -pi / 2, 0),
+      look_from("view.back", "Back", {'1', true}, pi / 2, 0),
+      look_from("view.right", "Right", '3', 0, 0),
+      look_from("view.left", "Left", {'3', true}, pi, 0),
+      look_from("view.top", "Top", '7', -pi / 2, pi / 2),
+      look_from("view.bottom", "Bottom", {'7', true}, -pi / 2, -pi / 2),
+      {"view.isolate",
+       "Isolate",
+       "Shows only what is selected; again: everything.",
+       "",
+       {{'/'}},
+       [](Session& s) { s.isolate_selected(); },
+       [](const Session& s) { return s.is_isolating() || !s.selection().empty(); },
+       [](const Session& s) { return s.is_isolating(); }},
       {"view.orthographic",
        "Parallel lines stay parallel",
        "Without perspective.",
@@ -58,10 +72,22 @@ std::vector<Command> view_commands() {
        [](Session& s) { s.camera.orthographic = !s.camera.orthographic; },
        {},
        [](const Session& s) { return s.camera.orthographic; }},
+      Command{"view.measure",
+              "Measure",
+              "Click vertices, edges and faces: shows distances, angles and radii.",
+              "",
+              {{'M', false, true}},
+              [](Session& s) { s.begin_tool(std::make_unique<MeasureTool>()); },
+              [](const Session& s) { return s.mode() == Mode::model && s.scene().size() > 0; }}
+          .after_line(),
+      view_switch("view.dimensions", "Box and dimensions",
+                  "Draws the box around the selection with its lengths; while dragging always.",
+                  {{'B', false, true}}, &ViewSettings::dimensions),
       view_switch("view.wireframe", "Wireframe", "Draws all edges and no faces.", {'W'},
-                  &ViewSettings::wireframe),
+                  &ViewSettings::wireframe)
+          .after_line(),
       view_switch("view.hidden_lines", "Hidden lines", "Draws edges behind faces too, faintly.",
-                  {'H', false, true}, &ViewSettings::hidden_lines),
+                  {{'H', false, true}}, &ViewSettings::hidden_lines),
       view_switch("view.labels", "Labels", "Names vertices in the picture.", {'T'},
                   &ViewSettings::labels),
       view_switch("view.eight_way", "Eight-way colours",
@@ -75,17 +101,34 @@ std::vector<Command> view_commands() {
        [](Session& s) { s.show_section(!s.view.section, s.view.section_axis); },
        {},
        [](const Session& s) { return s.view.section; }},
+      {"view.section_tool",
+       "Place the section plane",
+       "Drag the section plane in the picture, tilt it, put it onto a face.",
+       "",
+       {{'X', false, true}},
+       [](Session& s) {
+         if (!s.view.section) {
+           s.view.section = true;
+           const Bounds bounds = s.bounds_of_all();
+           if (!bounds.is_empty()) s.view.set_section({0, -1, 0}, -bounds.centre().y);
+         }
+         s.begin_tool(std::make_unique<SectionTool>());
+       },
+       [](const Session& s) { return s.mode() == Mode::model && s.scene().size() > 0; }},
       view_switch("view.grid", "Grid", "Shows the ground grid.", {}, &ViewSettings::grid),
       view_switch("view.axes", "Axes", "Shows the axes.", {}, &ViewSettings::axes),
+      view_switch("view.cube", "View cube", "Shows the cube that turns the view.", {},
+                  &ViewSettings::cube),
       view_switch("view.dark", "Dark theme", "Light on dark.", {}, &ViewSettings::dark),
-      {"view.panel",
-       "View",
-       "Section plane, exploded view, labels, colours and theme.",
-       icons::sliders,
-       {{'V'}},
-       [](Session& s) { s.view_panel = !s.view_panel; },
-       {},
-       [](const Session& s) { return s.view_panel; }},
+      Command{"view.panel",
+              "View",
+              "Section plane, exploded view, labels, colours and theme.",
+              icons::sliders,
+              {{'V'}},
+              [](Session& s) { s.view_panel = !s.view_panel; },
+              {},
+              [](const Session& s) { return s.view_panel; }}
+          .after_line(),
   };
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 
 namespace sectile::viewer {
 
@@ -20,9 +21,15 @@ struct ViewSettings {
   int section_axis = 0;      ///< x, y, z
   double section_place = 0;  ///< along the axis
   bool section_flipped = false;
+  bool section_oblique = false;  ///< across section_normal instead of an axis
+  glm::dvec3 section_normal{0, 0, 1};
+  /// Cut away is what lies farther along a direction of length one than `place`.
+  void set_section(const glm::dvec3& normal, double place);
   Shown shown = Shown::both;
   bool follow_steps = true;  ///< the camera goes to the place of each step
   bool hints = true;
+  bool dimensions = false;  ///< the box around the selection; in a drag always
+  bool cube = true;         ///< the view cube
   // Sizes that a person dragged panels to; 0: as usual.
   double left_model = 0, left_steps = 0, right_steps = 0, sphere = 0;
 };

@@ -88,6 +88,9 @@ std::string kind_of(const Node& node) {
       return s.above ? "part above a plane" : "part below a plane";
     }
     std::string operator()(const Group&) const { return "group"; }
+    std::string operator()(const Pattern& p) const {
+      return p.kind == Pattern::Kind::mirror ? "mirror image" : "copies";
+    }
   };
   return std::visit(Kind{}, node.what);
 }

@@ -114,6 +114,36 @@ ValuePointer SceneComputation::operation(const Node& node, Operation operation) 
   });
 }
 
+// Halves before the whole, so that no copy is carried through many unions.
+ValuePointer SceneComputation::united(std::span<const ValuePointer> parts) {
+  if (parts.size() == 1) return parts.front();
+  const std::size_t half = parts.size() / 2;
+  const ValuePointer a = united(parts.first(half)), b = united(parts.subspan(half));
+  if (!a->error.empty()) return a;
+  return b->error.empty() ? combined(a, b, Operation::unite) : b;
+}
+
+ValuePointer SceneComputation::repeated(const Node& node, const Pattern& pattern) {
+  const ValuePointer one = operation(node, Operation::unite);
+  if (!one->error.empty()) return failed(ValueKey('A').add(one->id), one->error);
+  std::vector<Transform> places;
+  try {
+    places = copies_of(pattern);
+  } catch (const std::invalid_argument& error) {
+    return failed(ValueKey('A').add(one->id), error.what());
+  }
+  ValueKey key('a');
+  key.add(one->id);
+  for (const Transform& place : places) key.add(place);
+  return known_or_made(key, [&] {
+    std::vector<ValuePointer> copies;
+    for (const Transform& place : places) copies.push_back(placed(one, place));
+    const ValuePointer result = united(copies);
+    if (!result->error.empty()) throw std::runtime_error(result->error);
+    return value_of(result->solid, result->faces);
+  });
+}
+
 ValuePointer SceneComputation::cut(const Node& node, const SplitNode& split) {
   const std::vector<ValuePointer> operands = placed_children(node);
   const HalfSpace& plane = split.plane;
@@ -152,6 +182,7 @@ ValuePointer SceneComputation::make_inside(const Node& node) {
   if (const auto* split = std::get_if<SplitNode>(&node.what)) return cut(node, *split);
   if (const auto* made = std::get_if<BooleanNode>(&node.what))
     return operation(node, made->operation);
+  if (const auto* pattern = std::get_if<Pattern>(&node.what)) return repeated(node, *pattern);
   return operation(node, Operation::unite);
 }
 

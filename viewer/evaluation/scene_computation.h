@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "evaluation/evaluator.h"
@@ -23,6 +24,8 @@ class SceneComputation {
   ValuePointer operation(const Node& node, Operation operation);
   ValuePointer fold(std::vector<ValuePointer> operands, Operation operation);
   ValuePointer combined(const ValuePointer& a, const ValuePointer& b, Operation operation);
+  ValuePointer repeated(const Node& node, const Pattern& pattern);
+  ValuePointer united(std::span<const ValuePointer> parts);
   ValuePointer cut(const Node& node, const SplitNode& split);
   ValuePointer placed(const ValuePointer& value, const Transform& by);
   std::vector<ValuePointer> placed_children(const Node& node);

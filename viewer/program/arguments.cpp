@@ -24,6 +24,8 @@ constexpr const char* examples = R"(Examples:
   sectile-viewer --sample fig13 --screenshot window.png --size 1280x800
   sectile-viewer --sample fig13 --phase joining --step 2 --exploded 0.5 \
       --no-interface --screenshot step.png
+  sectile-viewer --sample fig13 --turntable around.gif --frames 48 --size 640x480
+  sectile-viewer --sample fig13 --film-steps step.png     numbered frames of the steps
 Without a display a picture is drawn into sectile-viewer.png.
 Exit codes: 0 done, 1 an input is not a legal solid, 2 wrong usage,
   3 a file cannot be read or written, 4 internal error.)";
@@ -82,6 +84,18 @@ void check_picture_name(const std::filesystem::path& path) {
         "--screenshot", "'" + path.string() + "' must end in .png: pictures are written as PNG");
 }
 
+RecordingPlan film_plan(RecordingPlan::Kind kind, const std::string& path, double seconds) {
+  RecordingPlan plan;
+  plan.kind = kind;
+  plan.path = path;
+  const std::string extension = plan.path.extension().string();
+  if (extension != ".gif" && extension != ".png")
+    throw CLI::ValidationError(path, "a film's name ends in .gif, or in .png for numbered frames");
+  const bool steps = kind == RecordingPlan::Kind::steps;
+  plan.seconds_per_frame = seconds > 0 ? seconds : steps ? 0.8 : 0.08;
+  return plan;
+}
+
 void check_sample(const std::string& name) {
   std::string known;
   for (const samples::Sample& sample : samples::all()) {
@@ -122,6 +136,18 @@ std::variant<Arguments, ExitCode> parse_arguments(int argc, char** argv) {
   auto* sample = program.add_option("--sample", arguments.sample, "a figure of the paper to open");
   program.add_option("--screenshot", arguments.screenshot, "write a picture and exit")
       ->type_name("OUT.png");
+  std::string turntable, film_steps;
+  double seconds = 0;
+  std::uint32_t frames = 48;
+  auto* turns = program.add_option("--turntable", turntable, "write a film once around and exit")
+                    ->type_name("OUT.gif|OUT.png");
+  auto* steps_film =
+      program.add_option("--film-steps", film_steps, "write a film of the steps and exit")
+          ->type_name("OUT.gif|OUT.png")
+          ->excludes(turns);
+  program.add_option("--frames", frames, "of a turntable")->check(CLI::Range(1, 720))->needs(turns);
+  program.add_option("--seconds", seconds, "for each frame of a film")
+      ->check(CLI::Range(0.02, 60.0));
   program.add_option("--size", size, "of the picture or window")->type_name("WIDTHxHEIGHT");
   program.add_option("--scale", arguments.scale, "pixels for each unit of the interface")
       ->check(CLI::Range(0.5, 8.0));
@@ -142,6 +168,11 @@ std::variant<Arguments, ExitCode> parse_arguments(int argc, char** argv) {
     program.parse(argc, argv);
     arguments.interface = !no_interface;
     check_picture_name(arguments.screenshot);
+    if (*turns) {
+      arguments.film = film_plan(RecordingPlan::Kind::turntable, turntable, seconds);
+      arguments.film->frames = frames;
+    }
+    if (*steps_film) arguments.film = film_plan(RecordingPlan::Kind::steps, film_steps, seconds);
     if (!phase.empty()) arguments.phase = phase_named(phase);
     if (!camera.empty()) arguments.camera = camera_from(camera);
     if (!size.empty()) set_size(arguments, size);

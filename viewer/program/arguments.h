@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/recording.h"
 #include "picture/camera.h"
 #include "sectile/sectile.h"
 
@@ -40,6 +41,7 @@ struct Arguments {
   double exploded = 0;
   bool eight_way = false;
   std::filesystem::path screenshot;
+  std::optional<RecordingPlan> film;  ///< without its size
 
   /// A picture of a story without interface: needs no modeller.
   bool is_story_picture() const;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "program/arguments.h"
+#include "program/film.h"
 #include "program/modeller.h"
 #include "program/story_screenshot.h"
 #include "render/renderer.h"
@@ -32,6 +33,10 @@ std::unique_ptr<Window> open_window(const Arguments& arguments) {
 }
 
 ExitCode run(const Arguments& arguments) {
+  if (arguments.film) {
+    std::cout << std::filesystem::absolute(write_film(arguments)).string() << '\n';
+    return ExitCode::done;
+  }
   if (!arguments.screenshot.empty()) return draw_picture(arguments, arguments.screenshot);
   const std::unique_ptr<Window> window = open_window(arguments);
   if (!window) return draw_picture(arguments, "sectile-viewer.png");

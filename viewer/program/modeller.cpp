@@ -75,7 +75,7 @@ double seconds_since(std::chrono::steady_clock::time_point& last) {
 
 }  // namespace
 
-Image modeller_screenshot(const Arguments& arguments) {
+void with_still_modeller(const Arguments& arguments, const std::function<void(App&)>& use) {
   const float scale = arguments.scale > 0 ? arguments.scale : 1;
   const auto context = make_offscreen_context(arguments.width, arguments.height, scale);
   AppOptions options;
@@ -96,7 +96,13 @@ Image modeller_screenshot(const Arguments& arguments) {
   check_step(app, arguments);
   place_camera(app, arguments);
   settle();
-  return app.screenshot();
+  use(app);
+}
+
+Image modeller_screenshot(const Arguments& arguments) {
+  Image image;
+  with_still_modeller(arguments, [&](App& app) { image = app.screenshot(); });
+  return image;
 }
 
 void run_in_window(const Arguments& arguments, Window& window) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/read_pixels.h"
+
 namespace sectile::viewer {
 namespace {
 
@@ -70,6 +72,22 @@ void PictureDrawer::draw(const Picture& picture, const Viewport& viewport, int f
   }
   kept.targets->show(viewport.x, frame_height - viewport.y - viewport.height);
   meshes_.sweep();
+}
+
+Image PictureDrawer::draw_image(const Picture& picture, int width, int height, float scale) {
+  Targets targets(width, height, samples_at_rest);
+  paint(picture, {0, 0, width, height}, scale, targets);
+  const GlTexture colour;
+  const GlFramebuffer framebuffer;
+  glBindTexture(GL_TEXTURE_2D, colour.id());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour.id(), 0);
+  targets.show(0, 0, framebuffer.id());
+  Image image = read_pixels(framebuffer.id(), width, height);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  meshes_.sweep();
+  return image;
 }
 
 void PictureDrawer::paint(const Picture& picture, const Viewport& viewport, float scale,

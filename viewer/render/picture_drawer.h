@@ -15,6 +15,8 @@ namespace sectile::viewer {
 class PictureDrawer {
  public:
   void draw(const Picture& picture, const Viewport& viewport, int frame_height, float scale);
+  /// A picture of any size, by itself.
+  Image draw_image(const Picture& picture, int width, int height, float scale);
 
  private:
   // What was drawn last in one quality.

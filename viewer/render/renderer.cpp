@@ -1,9 +1,8 @@
 #include "render/renderer.h"
 
-#include <algorithm>
-
 #include "render/interface_drawer.h"
 #include "render/picture_drawer.h"
+#include "render/read_pixels.h"
 
 namespace sectile::viewer {
 
@@ -45,24 +44,15 @@ void Renderer::draw(const ImDrawData& interface) {
   implementation_->interfaces.draw(interface, context.width(), context.height());
 }
 
+Image Renderer::draw_image(const Picture& picture, int width, int height, float scale) {
+  implementation_->context.make_current();
+  return implementation_->pictures.draw_image(picture, width, height, scale);
+}
+
 Image Renderer::read_frame() {
   GraphicsContext& context = implementation_->context;
   context.make_current();
-  Image image{context.width(), context.height(), {}};
-  const std::size_t row = static_cast<std::size_t>(image.width) * 4;
-  image.rgba.resize(row * static_cast<std::size_t>(image.height));
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  // OpenGL's rows go upwards.
-  for (int y = 0; y < image.height / 2; ++y) {
-    const auto upper = image.rgba.begin() + static_cast<std::ptrdiff_t>(row) * y;
-    const auto lower =
-        image.rgba.begin() + static_cast<std::ptrdiff_t>(row) * (image.height - 1 - y);
-    std::swap_ranges(upper, upper + static_cast<std::ptrdiff_t>(row), lower);
-  }
-  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
-  return image;
+  return read_pixels(0, context.width(), context.height());
 }
 
 }  // namespace sectile::viewer

@@ -26,7 +26,9 @@ class Renderer {
   void begin_frame();  ///< makes the context current, clears
   void draw(const Picture& picture, const Viewport& viewport);
   void draw(const ImDrawData& interface);  ///< the font texture included
-  Image read_frame();                      ///< what was drawn since begin_frame
+  /// A picture of any size by itself, whatever the frame buffer's.
+  Image draw_image(const Picture& picture, int width, int height, float scale = 1);
+  Image read_frame();  ///< what was drawn since begin_frame
 
  private:
   class Implementation;

@@ -104,7 +104,7 @@ void Targets::bind_flat_depth() {
   glBindTexture(GL_TEXTURE_2D, copy.texture.id());
 }
 
-void Targets::show(int x, int y) {
+void Targets::show(int x, int y, GLuint into) {
   GLuint from = main_.id();
   if (is_multisampled()) {
     const Flat& copy = flat(flat_colour_, GL_RGBA8);
@@ -112,7 +112,7 @@ void Targets::show(int x, int y) {
     from = copy.framebuffer.id();
   }
   glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, into);
   glBlitFramebuffer(0, 0, width_, height_, x, y, x + width_, y + height_, GL_COLOR_BUFFER_BIT,
                     GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -28,8 +28,9 @@ class Targets {
   /// by shaders. What is drawn goes to the main picture again.
   void bind_flat_colour(int x, int y, int width, int height);
   void bind_flat_depth();
-  /// Copies the colour into the frame buffer of the context; the place is from the lower left.
-  void show(int x, int y);
+  /// Copies the colour into a frame buffer (0: that of the context); the place is from the lower
+  /// left.
+  void show(int x, int y, GLuint into = 0);
 
  private:
   GLenum kind() const { return is_multisampled() ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D; }

@@ -2,6 +2,7 @@
 // undo keeps whole scenes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "scene/pattern.h"
 #include "sectile/sectile.h"
 
 namespace sectile::viewer {
@@ -75,12 +77,16 @@ struct Placement {
   friend bool operator==(const Placement&, const Placement&) = default;
 };
 
+/// Red, green and blue from 0 to 1, as style sheets have them.
+using NodeColour = std::array<float, 3>;
+
 struct Node {
   NodeId id = 0;
   std::string name;
   Placement placement;
   bool visible = true;
-  std::variant<Primitive, Imported, BooleanNode, SplitNode, Group> what;
+  std::optional<NodeColour> colour;  ///< none: what its role says
+  std::variant<Primitive, Imported, BooleanNode, SplitNode, Group, Pattern> what;
   std::vector<NodeId> children;
   NodeId parent = 0;
   friend bool operator==(const Node&, const Node&) = default;

@@ -16,4 +16,6 @@ inline constexpr std::array<std::string_view, 10> shape_names{
     "cone",  "sphere", "torus", "extrusion", "revolution"};
 inline constexpr std::array<std::string_view, 3> operation_names{"unite", "intersect", "subtract"};
 
+inline constexpr std::array<std::string_view, 4> pattern_names{"linear", "polar", "path", "mirror"};
+
 }  // namespace sectile::viewer

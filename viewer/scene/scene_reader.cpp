@@ -124,6 +124,21 @@ SplitNode split_at(const Place& place) {
   return {{n[0], n[1], n[2], n[3]}, place["above"].flag()};
 }
 
+Pattern pattern_at(const Place& place) {
+  Pattern p;
+  p.kind = static_cast<Pattern::Kind>(place["pattern"].one_of(pattern_names));
+  p.count = place["count"].count();
+  p.step = place["step"].vector();
+  p.centre = place["centre"].vector();
+  p.axis = place["axis"].vector();
+  p.degrees = place["degrees"].number();
+  const Place path = place["path"];
+  for (std::size_t i = 0; i < path.list_size(); ++i) p.path.push_back(path[i].vector());
+  p.turns = place["turns"].flag();
+  p.keeps = place["keeps"].flag();
+  return p;
+}
+
 void read_what(const Place& place, const std::vector<MeshPointer>& meshes, Node& node) {
   if (place.has("primitive")) {
     node.what = primitive_at(place);
@@ -136,6 +151,8 @@ void read_what(const Place& place, const std::vector<MeshPointer>& meshes, Node&
     node.what = BooleanNode{static_cast<Operation>(place["operation"].one_of(operation_names))};
   } else if (place.has("split")) {
     node.what = split_at(place);
+  } else if (place.has("pattern")) {
+    node.what = pattern_at(place);
   } else if (place.has("group")) {
     node.what = Group();
   } else {
@@ -148,6 +165,16 @@ Node node_at(const Place& place, const std::vector<MeshPointer>& meshes) {
   node.id = place["id"].count();
   node.name = place["name"].text();
   if (place.has("visible")) node.visible = place["visible"].flag();
+  if (place.has("colour")) {
+    const std::vector<double> parts = place["colour"].numbers(3);
+    NodeColour colour{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(parts[i] >= 0 && parts[i] <= 1))
+        place["colour"].fail("is not three numbers from 0 to 1");
+      colour[i] = static_cast<float>(parts[i]);
+    }
+    node.colour = colour;
+  }
   node.placement.position = place["position"].vector();
   node.placement.rotation = place["rotation"].vector();
   node.placement.scale = place["scale"].vector();

@@ -66,6 +66,10 @@ class SceneWriter {
     made["id"] = node.id;
     made["name"] = node.name;
     if (!node.visible) made["visible"] = false;
+    if (node.colour) {
+      made["colour"] = Json::array();
+      for (const float part : *node.colour) made["colour"].push_back(finite(double{part}));
+    }
     made["position"] = vector(node.placement.position);
     made["rotation"] = vector(node.placement.rotation);
     made["scale"] = vector(node.placement.scale);
@@ -106,6 +110,19 @@ class SceneWriter {
   }
 
   void add(const Group&, Json& made) const { made["group"] = true; }
+
+  void add(const Pattern& p, Json& made) const {
+    made["pattern"] = pattern_names[static_cast<std::size_t>(p.kind)];
+    made["count"] = p.count;
+    made["step"] = vector(p.step);
+    made["centre"] = vector(p.centre);
+    made["axis"] = vector(p.axis);
+    made["degrees"] = finite(p.degrees);
+    made["path"] = Json::array();
+    for (const Vec3& corner : p.path) made["path"].push_back(vector(corner));
+    made["turns"] = p.turns;
+    made["keeps"] = p.keeps;
+  }
 
   const NameOfMesh& name_of_;
   const Node* current_ = nullptr;

@@ -64,6 +64,19 @@ struct DefaultName {
   }
   std::string operator()(const SplitNode& s) const { return s.above ? "Above" : "Below"; }
   std::string operator()(const Group&) const { return "Group"; }
+  std::string operator()(const Pattern& p) const {
+    switch (p.kind) {
+      case Pattern::Kind::linear:
+        return "Linear array";
+      case Pattern::Kind::polar:
+        return "Polar array";
+      case Pattern::Kind::path:
+        return "Array along a path";
+      case Pattern::Kind::mirror:
+        return "Mirror";
+    }
+    return "Pattern";
+  }
 };
 
 }  // namespace

@@ -22,6 +22,12 @@ const char* heading_of(FileBrowser::Purpose purpose) {
       return "Import a mesh";
     case FileBrowser::Purpose::export_solid:
       return "Export the result";
+    case FileBrowser::Purpose::export_all:
+      return "Export all solids (3MF: one file; else one each)";
+    case FileBrowser::Purpose::picture:
+      return "Save the picture";
+    case FileBrowser::Purpose::film:
+      return "Save the film";
   }
   return "";
 }
@@ -36,6 +42,11 @@ const char* verb_of(FileBrowser::Purpose purpose) {
       return "Import";
     case FileBrowser::Purpose::export_solid:
       return "Export";
+    case FileBrowser::Purpose::export_all:
+      return "Export";
+    case FileBrowser::Purpose::picture:
+    case FileBrowser::Purpose::film:
+      return "Save";
   }
   return "";
 }

@@ -5,7 +5,8 @@ namespace sectile::viewer {
 namespace {
 
 constexpr const char* gestures =
-    "Drag: turn   \u00B7   Shift + middle drag: move the view   \u00B7   Wheel: zoom";
+    "Drag: turn   \u00B7   Right drag: move the view   \u00B7   Wheel: zoom   \u00B7   "
+    "Right click: menu";
 
 std::string next_step(const Session& session) {
   const std::size_t roots = session.scene().roots().size();

@@ -1,6 +1,7 @@
 #include <imgui_internal.h>
 
-#include <array>
+#include <string>
+#include <vector>
 
 #include "app/interface_input.h"
 #include "app/panels/panels.h"
@@ -10,28 +11,55 @@
 namespace sectile::viewer {
 namespace {
 
-/// A menu of commands; "-" stands for a line.
-void command_menu(PanelContext& context, const char* name, const char* text,
-                  std::initializer_list<const char*> items) {
-  const bool open = ImGui::BeginMenu(text);
-  context.widgets.record_item(name);
-  if (!open) return;
-  for (const char* item : items) {
-    if (*item == '-')
-      ImGui::Separator();
-    else
-      command_item(context, item);
+/// A menu that knows where its title is: once it is open, ImGui's last item is another one.
+bool begin_menu(PanelContext& context, const std::string& name, const std::string& text,
+                bool enabled = true) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  Widget widget;
+  widget.rectangle = {at.x, at.y, text_width(text), ImGui::GetTextLineHeight()};
+  widget.floating = true;
+  widget.enabled = enabled;
+  context.widgets.record(name, widget);
+  return ImGui::BeginMenu(text.c_str(), enabled);
+}
+
+void recent_files(PanelContext& context) {
+  Session& session = context.session;
+  const std::vector<std::filesystem::path> files = session.recent.list();
+  ImGui::Separator();
+  if (!begin_menu(context, "submenu.Recent files", "Recent files", !files.empty())) return;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string folder = files[i].parent_path().string();
+    if (ImGui::MenuItem((files[i].filename().string() + "##" + std::to_string(i)).c_str(),
+                        folder.size() > 40 ? ("\u2026" + folder.substr(folder.size() - 39)).c_str()
+                                           : folder.c_str()))
+      session.open(files[i]);
+    context.widgets.record_item("recent." + std::to_string(i));
   }
+  ImGui::Separator();
+  if (ImGui::MenuItem("Forget them")) session.recent.clear();
   ImGui::EndMenu();
 }
 
-void add_menu(PanelContext& context) {
-  const bool open = ImGui::BeginMenu("Add");
-  context.widgets.record_item("menu.add");
-  if (!open) return;
-  for (const Primitive::Shape shape : all_shapes) command_item(context, "add." + name_of(shape));
-  ImGui::Separator();
-  command_item(context, "file.import");
+void draw_menu(PanelContext& context, const CommandMenu& menu) {
+  if (!begin_menu(context, menu.name, menu.title)) return;
+  std::string submenu;
+  bool shown = true;
+  const auto enter = [&](const std::string& wanted) {
+    if (wanted == submenu) return;
+    if (!submenu.empty() && shown) ImGui::EndMenu();
+    submenu = wanted;
+    shown = submenu.empty() || begin_menu(context, "submenu." + submenu, submenu);
+  };
+  for (const Command& command : menu.commands) {
+    if (!command.in_menu) continue;
+    enter(command.submenu);
+    if (!shown) continue;
+    if (command.begins_group) ImGui::Separator();
+    command_item(context, command.name);
+  }
+  enter({});
+  if (menu.name == "menu.file") recent_files(context);
   ImGui::EndMenu();
 }
 
@@ -46,25 +74,30 @@ void sample_item(PanelContext& context, const SampleTitle& sample) {
 }
 
 void samples_menu(PanelContext& context) {
-  const bool open = ImGui::BeginMenu("Samples");
-  context.widgets.record_item("menu.samples");
-  if (!open) return;
+  if (!begin_menu(context, "menu.samples", "Samples")) return;
   for (const SampleTitle& sample : sample_titles()) sample_item(context, sample);
   ImGui::EndMenu();
 }
 
+/// The titles of the menu bar; samples stand before the help.
+std::vector<std::string> menu_titles(const PanelContext& context) {
+  std::vector<std::string> titles;
+  for (const CommandMenu& menu : context.commands.menus()) titles.push_back(menu.title);
+  titles.insert(titles.end() - 1, "Samples");
+  return titles;
+}
+
 /// Left and Right go from an open menu to the one beside it.
-void walk_along_menus() {
-  constexpr std::array menus{"File", "Edit", "Add", "Operations", "View", "Samples", "Help"};
-  const int by = interface_input::was_pressed(Key::right)  ? 1
-                 : interface_input::was_pressed(Key::left) ? -1
-                                                           : 0;
-  for (std::size_t i = 0; by != 0 && i < menus.size(); ++i) {
-    if (!ImGui::IsPopupOpen(menus[i])) continue;
+void walk_along_menus(const std::vector<std::string>& titles) {
+  const std::size_t count = titles.size();
+  const std::size_t by = interface_input::was_pressed(Key::right)  ? 1
+                         : interface_input::was_pressed(Key::left) ? count - 1
+                                                                   : 0;
+  for (std::size_t i = 0; by != 0 && i < count; ++i) {
+    if (!ImGui::IsPopupOpen(titles[i].c_str())) continue;
     // The mouse may still rest on the title of the menu before, which would open it again.
     ImGui::GetCurrentContext()->NavDisableMouseHover = true;
-    return ImGui::OpenPopup(
-        menus[(i + menus.size() + static_cast<std::size_t>(by)) % menus.size()]);
+    return ImGui::OpenPopup(titles[(i + by) % count].c_str());
   }
 }
 
@@ -74,24 +107,11 @@ float draw_menu_bar(PanelContext& context) {
   if (!ImGui::BeginMainMenuBar()) return 0;
   const float height = ImGui::GetWindowHeight();
   context.widgets.record_window("panel.menu_bar");
-  walk_along_menus();
-  command_menu(context, "menu.file", "File",
-               {"file.new", "file.open", "file.save", "file.save_as", "-", "file.import",
-                "file.export", "-", "file.quit"});
-  command_menu(context, "menu.edit", "Edit",
-               {"edit.undo", "edit.redo", "-", "edit.duplicate", "edit.delete", "edit.rename",
-                "edit.hide", "-", "edit.group", "edit.ungroup", "-", "edit.select_all"});
-  add_menu(context);
-  command_menu(context, "menu.operations", "Operations",
-               {"operation.unite", "operation.intersect", "operation.subtract", "operation.split",
-                "-", "mode.model", "mode.steps"});
-  command_menu(
-      context, "menu.view", "View",
-      {"view.frame", "view.all", "view.front", "view.right", "view.top", "view.orthographic", "-",
-       "view.wireframe", "view.hidden_lines", "view.labels", "view.eight_way", "view.section",
-       "view.grid", "view.axes", "-", "view.dark", "view.panel"});
-  samples_menu(context);
-  command_menu(context, "menu.help", "Help", {"help.keys", "help.hints", "help.about"});
+  walk_along_menus(menu_titles(context));
+  for (const CommandMenu& menu : context.commands.menus()) {
+    if (&menu == &context.commands.menus().back()) samples_menu(context);
+    draw_menu(context, menu);
+  }
   ImGui::EndMainMenuBar();
   return height;
 }

@@ -14,6 +14,13 @@ void draw_time_line(PanelContext& context);
 void draw_splitters(PanelContext& context);
 void draw_legend(PanelContext& context);
 void draw_view_panel(PanelContext& context);
+void draw_tool_banner(PanelContext& context);  ///< what to do with the tool in the picture
+void draw_context_menu(PanelContext& context);
+void draw_profile_editor(PanelContext& context);
+void draw_profile_canvas(PanelContext& context, float width, float height);
+void draw_recording(PanelContext& context);
+void draw_view_cube(PanelContext& context);
+void draw_key_page(PanelContext& context);
 void draw_hint_strip(PanelContext& context);
 void draw_messages(PanelContext& context);
 void draw_status_bar(PanelContext& context);

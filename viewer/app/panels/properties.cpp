@@ -111,6 +111,11 @@ class Fields {
     } else if (s != Shape::block && s != Shape::wedge && s != Shape::extrusion) {
       whole("Segments", "segments", p.segments, 3, 512);
     }
+    if (s == Shape::extrusion || s == Shape::revolution) {
+      if (button(context_, "properties.profile", "Edit the profile\u2026",
+                 "Draw and change its outline and holes (F4)", true, -1))
+        context_.session.profile.begin_edit(node_);
+    }
     if (s == Shape::sphere || s == Shape::torus) whole("Rings", "rings", p.rings, 3, 256);
   }
 
@@ -168,10 +173,72 @@ class Fields {
                                 : count(members) + " solids that move as one.");
   }
 
+  void draw_what(Pattern& p) {
+    using Kind = Pattern::Kind;
+    if (p.kind != Kind::mirror) whole("Copies", "count", p.count, 1, 1000);
+    if (p.kind == Kind::linear) triple("Step", "step", p.step, 0.01, Quantity::length);
+    if (p.kind == Kind::polar) {
+      row("Angle");
+      edited("Angle", number_field(context_, "properties.degrees", p.degrees, 1, -1,
+                                   Quantity::angle, {-360, 360}));
+    }
+    if (p.kind == Kind::polar || p.kind == Kind::mirror) {
+      triple(p.kind == Kind::polar ? "Point of the axis" : "Point of the plane", "centre", p.centre,
+             0.01, Quantity::length);
+      triple(p.kind == Kind::polar ? "Direction of the axis" : "At right angles to it", "axis",
+             p.axis, 0.01, Quantity::plain);
+    }
+    if (p.kind == Kind::mirror &&
+        checkbox(context_, "properties.keeps", "Keep the original", p.keeps))
+      choose("Keep the original");
+    if (p.kind == Kind::path) draw_path(p);
+  }
+
+  void draw_path(Pattern& p) {
+    if (checkbox(context_, "properties.turns", "Turn with the path", p.turns))
+      choose("Turn with the path");
+    for (std::size_t i = 0; i < p.path.size(); ++i)
+      triple("Corner", "corner." + std::to_string(i + 1), p.path[i], 0.01, Quantity::length);
+    const float width = (ImGui::GetContentRegionAvail().x - 4) / 2;
+    if (button(context_, "properties.corner.add", "Add corner", "At the end of the path", true,
+               width)) {
+      const Vec3 a = p.path[p.path.size() - 2], b = p.path.back();
+      p.path.push_back({2 * b.x - a.x, 2 * b.y - a.y, 2 * b.z - a.z});
+      choose("Add corner");
+    }
+    ImGui::SameLine(0, 4);
+    if (button(context_, "properties.corner.remove", "Remove corner", "The last one",
+               p.path.size() > 2, width)) {
+      p.path.pop_back();
+      choose("Remove corner");
+    }
+  }
+
   void number_row(const char* text, const std::string& value) {
     ImGui::TextDisabled("%s", text);
     ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.46f);
     ImGui::TextUnformatted(value.c_str());
+  }
+
+  /// At the right end of the title's line.
+  void draw_colour() {
+    const Colour& own = context_.theme.neutral;
+    NodeColour colour = node_.colour.value_or(NodeColour{own.r, own.g, own.b});
+    const float size = ImGui::GetFrameHeight();
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - (node_.colour ? 2 * size + 8 : size));
+    const bool changed = ImGui::ColorEdit3(
+        "##colour", colour.data(), ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoTooltip);
+    context_.widgets.record_item("properties.colour");
+    const bool done = ImGui::IsItemDeactivatedAfterEdit();
+    tooltip("Its colour: click to choose one");
+    if (changed) node_.colour = colour;
+    if (changed || done) edited("Colour", {changed, done});
+    if (!node_.colour) return;
+    ImGui::SameLine(0, 4);
+    if (!icon_button(context_, "properties.colour.none", icons::cross, "The colour of its role"))
+      return;
+    node_.colour.reset();
+    choose("Colour");
   }
 
   void draw_numbers() {
@@ -201,6 +268,7 @@ class Fields {
     Node& edited = scene.edit(node_.id);
     edited.placement = node_.placement;
     edited.what = node_.what;
+    edited.colour = node_.colour;
     if (changing_) session.document.show_draft(what_, std::move(scene));
     if (done_) session.document.commit_draft();
   }

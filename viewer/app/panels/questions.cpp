@@ -22,36 +22,6 @@ bool escape_pressed() {
   return interface_input::was_pressed(Key::escape);
 }
 
-void draw_keys(PanelContext& context) {
-  bool& open = context.session.dialogs.keys;
-  if (!open) return;
-  if (!begin_window("Keys and gestures", &open, 680)) return;
-  context.widgets.record_window("panel.keys");
-  ImGui::TextUnformatted(
-      "Left, right or middle drag turns the view; Shift and middle drag moves it; the wheel zooms "
-      "to\n"
-      "the pointer. Click selects, Shift+click adds, double click goes into an operation or a "
-      "group.\n"
-      "While dragging a handle: Ctrl switches snapping, Esc takes the drag back.");
-  ImGui::Separator();
-  ImGui::BeginChild("keys", {0, std::min(330.0f, ImGui::GetIO().DisplaySize.y - 220)});
-  if (ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingStretchProp)) {
-    for (const Command& command : context.commands.all()) {
-      const std::string key = key_name(command);
-      if (key.empty()) continue;
-      ImGui::TableNextColumn();
-      ImGui::TextDisabled("%s", key.c_str());
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(command.title.c_str());
-    }
-    ImGui::EndTable();
-  }
-  ImGui::EndChild();
-  if (button(context, "keys.close", "Close", "", true, 110) || escape_pressed()) open = false;
-  if (!open) ImGui::CloseCurrentPopup();
-  ImGui::EndPopup();
-}
-
 void draw_about(PanelContext& context) {
   bool& open = context.session.dialogs.about;
   if (!open) return;
@@ -100,7 +70,6 @@ void draw_questions(PanelContext& context) {
 }
 
 void draw_help(PanelContext& context) {
-  draw_keys(context);
   draw_about(context);
 }
 

@@ -23,7 +23,8 @@ struct Drop {
 };
 
 bool takes_children(const Node& node) {
-  return std::holds_alternative<BooleanNode>(node.what) || std::holds_alternative<Group>(node.what);
+  return std::holds_alternative<BooleanNode>(node.what) ||
+         std::holds_alternative<Group>(node.what) || std::holds_alternative<Pattern>(node.what);
 }
 
 std::size_t place_among_siblings(const Scene& scene, const Node& node) {
@@ -106,6 +107,7 @@ class Tree {
     std::string sign;
     if (const auto* b = std::get_if<BooleanNode>(&node.what)) sign = icon_of(b->operation) + "  ";
     if (std::holds_alternative<SplitNode>(node.what)) sign = std::string(icons::scissors) + "  ";
+    if (std::holds_alternative<Pattern>(node.what)) sign = std::string(icons::grid) + "  ";
     if (std::holds_alternative<Group>(node.what)) sign = std::string(icons::group) + "  ";
     return sign + node.name;
   }

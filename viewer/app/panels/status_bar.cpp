@@ -17,6 +17,7 @@ std::string about_scene(const Session& session) {
       text +=
           solid->is_empty() ? ", empty" : ", " + count(faces) + (faces == 1 ? " face" : " faces");
     }
+  if (session.is_isolating()) text += " \u00B7 only some are shown (/ shows all)";
   return text;
 }
 

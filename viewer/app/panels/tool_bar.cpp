@@ -27,6 +27,9 @@ void add_button(PanelContext& context, bool with_title) {
   if (!ImGui::BeginPopup("add popup")) return;
   for (const Primitive::Shape shape : all_shapes) command_item(context, "add." + name_of(shape));
   ImGui::Separator();
+  command_item(context, "profile.xy");
+  command_item(context, "profile.face");
+  ImGui::Separator();
   command_item(context, "file.import");
   ImGui::EndPopup();
 }

@@ -35,17 +35,27 @@ void draw_section(PanelContext& context) {
   const float width = (ImGui::GetContentRegionAvail().x - 12) / 4;
   for (int axis = 0; axis < 3; ++axis) {
     const std::string letter(1, static_cast<char>('x' + axis));
-    if (choice(context, "view.section." + letter, letter.c_str(), view.section_axis == axis, width))
+    const bool is_cut = !view.section_oblique && view.section_axis == axis;
+    if (choice(context, "view.section." + letter, letter.c_str(), is_cut, width)) {
+      view.section_oblique = false;
       session.show_section(true, axis);
+    }
     ImGui::SameLine(0, 4);
   }
   if (choice(context, "view.section.flip", "Flip", view.section_flipped, width))
     view.section_flipped = !view.section_flipped;
   Bounds bounds = session.bounds_of_all();
   if (bounds.is_empty()) bounds.add(glm::dvec3(-1)), bounds.add(glm::dvec3(1));
-  slider(context, "view.section.place", view.section_place, bounds.low[view.section_axis] - 0.1,
-         bounds.high[view.section_axis] + 0.1, "at %.3g");
+  const double middle = view.section_oblique ? glm::dot(view.section_normal, bounds.centre())
+                                             : bounds.centre()[view.section_axis];
+  const double reach =
+      view.section_oblique ? bounds.radius() : 0.5 * (bounds.high - bounds.low)[view.section_axis];
+  slider(context, "view.section.place", view.section_place, middle - reach - 0.1,
+         middle + reach + 0.1, "at %.3g");
   ImGui::EndDisabled();
+  if (button(context, "view.section.tool", "Place it in the picture\u2026",
+             "Drag it, tilt it, put it onto a face", true, -1))
+    context.commands.run(session, context.commands.get("view.section_tool"));
 }
 
 }  // namespace

@@ -1,0 +1,37 @@
+// Placing the section plane in the picture: along its normal, tilted, or onto a face.
+#pragma once
+
+#include <optional>
+
+#include "app/feature_picking.h"
+#include "app/picture_tool.h"
+#include "scene/handles.h"
+
+namespace sectile::viewer {
+
+class SectionTool : public PictureTool {
+ public:
+  Mouse mouse() const override { return drag_ || hovered_part_ ? Mouse::drags : Mouse::clicks; }
+  std::string title() const override { return "Section plane"; }
+  std::string hint(const Session& session) const override;
+  void follow(Session& session, const Pointer& pointer) override;
+  void press(Session& session, const Pointer& pointer) override;
+  void release(Session& session, const Pointer& pointer) override;
+  bool key(Session& session, const Event& event) override;
+  void add_to(Picture& picture, const Session& session) const override;
+
+ private:
+  std::optional<HandlePart> part_at(const Session& session, glm::dvec2 pixel) const;
+
+  FeaturePicker picker_;
+  std::optional<PickedSpot> face_;          // under the pointer
+  std::optional<HandlePart> hovered_part_;  // of the plane's handles
+  std::optional<HandleDrag> drag_;
+  glm::dvec4 start_{0};  // the plane when the drag began
+  glm::dvec3 origin_{0};
+};
+
+/// The handles of the section plane: their z axis is its normal.
+Handles section_handles(const Session& session, HandleMode mode);
+
+}  // namespace sectile::viewer
