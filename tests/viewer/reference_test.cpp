@@ -36,8 +36,7 @@ class Easel {
 };
 
 Story story_of(const std::string& sample) {
-  const StoryOperands operands = sample_operands(sample);
-  return Story::tell(operands.a, operands.b, operands.operation);
+  return tell(sample_operands(sample));
 }
 
 // Parts are pulled apart, so that those inside are seen.

@@ -151,9 +151,10 @@ class App::Implementation {
     const float menu = options_.show_interface ? 15 + 8 : 0;
     const bool steps = session_.mode() == Mode::steps;
     const double left = steps ? session_.view.left_steps : session_.view.left_model;
-    layout_ = make_layout(io.DisplaySize.x, io.DisplaySize.y,
-                          {menu, steps, session_.view.hints, static_cast<float>(left),
-                           static_cast<float>(session_.view.right_steps)});
+    layout_ =
+        make_layout(io.DisplaySize.x, io.DisplaySize.y,
+                    {menu, steps, session_.view.hints, session_.tour.is_on(),
+                     static_cast<float>(left), static_cast<float>(session_.view.right_steps)});
     if (!options_.show_interface) layout_.picture = {0, 0, io.DisplaySize.x, io.DisplaySize.y};
     session_.picture_size = {layout_.picture.width, layout_.picture.height};
   }
@@ -211,6 +212,7 @@ class App::Implementation {
       draw_inspector(context);
       draw_time_line(context);
     }
+    draw_tour(context);
     draw_splitters(context);
     draw_legend(context);
     draw_hint_strip(context);
@@ -262,6 +264,7 @@ class App::Implementation {
     const auto pixels = [&](float units) { return static_cast<int>(std::lround(units * scale)); };
     const Rectangle& p = layout_.picture;
     renderer_.draw(picture, {pixels(p.x), pixels(p.y), pixels(p.width), pixels(p.height)});
+    session_.legend = picture.legend;
     draw_labels(picture);
   }
 
@@ -270,13 +273,14 @@ class App::Implementation {
     const Rectangle& p = layout_.picture;
     const Theme& colours = theme(session_.view.dark);
     draw.PushClipRect({p.x, p.y}, {p.x + p.width, p.y + p.height});
+    std::vector<ImVec4> plates;
     for (const Label& label : picture.labels) {
       const glm::dvec3 pixel = session_.camera.project(label.place, session_.picture_size);
       if (pixel.z <= 0) continue;
       const ImVec2 at{std::round(p.x + static_cast<float>(pixel.x) + 5),
                       std::round(p.y + static_cast<float>(pixel.y) - 16)};
       if (label.plate) {
-        draw_on_plate(draw, label, at);
+        draw_on_plate(draw, label, at, plates);
         continue;
       }
       const float size = fonts_.small->FontSize / font_scale_;
@@ -288,13 +292,28 @@ class App::Implementation {
     draw.PopClipRect();
   }
 
-  void draw_on_plate(ImDrawList& draw, const Label& label, ImVec2 at) const {
+  /// Below the plates that are in its way.
+  void draw_on_plate(ImDrawList& draw, const Label& label, ImVec2 at,
+                     std::vector<ImVec4>& plates) const {
     const float size = fonts_.regular->FontSize / font_scale_;
     const ImVec2 room = fonts_.regular->CalcTextSizeA(size, FLT_MAX, 0, label.text.c_str());
     const Rectangle& p = layout_.picture;
     at.x = std::clamp(at.x, p.x + 8, std::max(p.x + 8, p.x + p.width - room.x - 8));
     at.y = std::clamp(at.y, p.y + 6, std::max(p.y + 6, p.y + p.height - room.y - 6));
+    const auto in_the_way = [&](const ImVec4& other) {
+      return at.x - 7 < other.z && at.x + room.x + 7 > other.x && at.y - 4 < other.w &&
+             at.y + room.y + 4 > other.y;
+    };
+    for (auto other = plates.begin(); other != plates.end();) {
+      if (!in_the_way(*other)) {
+        ++other;
+        continue;
+      }
+      at.y = other->w + 6;
+      other = plates.begin();
+    }
     const ImVec2 low{at.x - 7, at.y - 4}, high{at.x + room.x + 7, at.y + room.y + 4};
+    plates.push_back({low.x, low.y, high.x, high.y});
     draw.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_PopupBg, 0.94f), 5);
     draw.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_Border), 5);
     draw.AddText(fonts_.regular, size, at, packed(label.colour), label.text.c_str());

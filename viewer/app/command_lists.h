@@ -17,6 +17,7 @@ std::vector<Command> operation_commands();
 std::vector<Command> transform_commands();
 std::vector<Command> view_commands();
 std::vector<Command> step_commands();
+std::vector<Command> tour_commands();
 std::vector<Command> help_commands();
 
 }  // namespace sectile::viewer

@@ -65,6 +65,7 @@ constexpr MenuRow menu_table[] = {
     {"menu.operations", "Operations", operation_commands},
     {"menu.view", "View", view_commands},
     {"menu.steps", "Steps", step_commands},
+    {"menu.tour", "Tour", tour_commands},
     {"menu.help", "Help", help_commands},
 };
 

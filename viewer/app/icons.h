@@ -8,6 +8,7 @@ inline constexpr const char* venn_union = "\ue001";
 inline constexpr const char* venn_intersection = "\ue002";
 inline constexpr const char* venn_difference = "\ue003";
 
+inline constexpr const char* filter = "\uf0b0";
 inline constexpr const char* file = "\uf15b";
 inline constexpr const char* folder_open = "\uf07c";
 inline constexpr const char* save = "\uf0c7";

@@ -11,13 +11,14 @@ struct Rectangle {
 };
 
 struct Layout {
-  Rectangle tool_bar, tree, properties, picture, hints, inspector, time_line, status;
+  Rectangle tool_bar, tree, properties, picture, hints, inspector, time_line, status, tour;
 };
 
 struct LayoutOptions {
   float menu_height = 0;      ///< what ImGui's menu bar takes at the top
   bool steps = false;         ///< inspector and time line instead of the properties
   bool hints = false;         ///< a strip below the picture
+  bool tour = false;          ///< below the tree, in the steps
   float left = 0, right = 0;  ///< widths that a person dragged the panels to; 0: as usual
 };
 

@@ -52,10 +52,15 @@ class ShapeCollector {
       return;
     }
     const bool open = worked_on_ != 0 && session_.scene().is_below(worked_on_, id);
+    if (is_presented(*node)) return add_operands(*node);
     // Where they coincide, the result's own edges are drawn over those of the operands.
     if (open && session_.view.shown != Shown::result) add_worked_on(id);
     if (!open || session_.view.shown != Shown::operands)
       add_surface(*node, colour_of(*node), Look::opaque);
+  }
+
+  bool is_presented(const Node& node) const {
+    return node.id == session_.presented && session_.selection().empty() && is_operation(node);
   }
 
   /// The operands of the operation worked on, which may be far inside of what is drawn.
@@ -71,7 +76,7 @@ class ShapeCollector {
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       const Node* child = session_.scene().find(node.children[i]);
       if (!child || !child->visible) continue;
-      if (session_.view.shown == Shown::operands) {
+      if (session_.view.shown == Shown::operands || is_presented(node)) {
         add_operand(*child, i == 0 ? theme_.a : theme_.b, Look::translucent);
         continue;
       }
@@ -155,9 +160,29 @@ void add_labels(const Session& session, const std::vector<Shape>& shapes, Pictur
   }
 }
 
-bool same(const StoryView& a, const StoryView& b) {
-  return a.eight_way == b.eight_way && a.exploded == b.exploded && a.labels == b.labels &&
-         a.dark == b.dark;
+// What is in the picture, in the order of the theme.
+void explain_colours(const Session& session, Picture& picture) {
+  if (!session.shows_operands()) return;
+  const Theme& t = theme(session.view.dark);
+  const auto same = [](const Colour& a, const Colour& b) { return glm::vec3(a) == glm::vec3(b); };
+  bool a = false, b = false, removed = false, result = false;
+  for (const Surface& surface : picture.surfaces) {
+    if (surface.yields) {
+      removed = true;
+    } else {
+      a |= same(surface.colour, t.a);
+      b |= same(surface.colour, t.b);
+      result |= same(surface.colour, t.result);
+    }
+  }
+  const auto form =
+      session.view.shown == Shown::both && result ? LegendKey::Form::line : LegendKey::Form::area;
+  if (a) picture.legend.push_back({"A (first)", with_alpha(t.a, 1), form});
+  if (b) picture.legend.push_back({"B (the others)", with_alpha(t.b, 1), form});
+  if (removed)
+    picture.legend.push_back(
+        {"removed", fainter(with_alpha(t.b, 1), t, 0.6f), LegendKey::Form::area});
+  if (result) picture.legend.push_back({"result", t.result, LegendKey::Form::area});
 }
 
 }  // namespace
@@ -173,15 +198,17 @@ Picture PictureMaker::model(const Session& session) const {
   if (session.view.labels) add_labels(session, shapes, picture);
   if (session.view.dimensions || session.document.has_draft())
     add_dimensions(picture, session, shapes);
+  explain_colours(session, picture);
   return picture;
 }
 
 const Picture& PictureMaker::steps(const Session& session) {
   const ViewSettings& settings = session.view;
-  const StoryView view{settings.eight_way, settings.exploded, settings.labels, settings.dark};
+  const StoryView view{settings.eight_way, settings.exploded, settings.labels, settings.dark,
+                       session.lit_row};
   const StoryPlayer& player = session.player;
   if (story_ != player.shared() || step_ != player.step() || phase_ != player.phase() ||
-      !same(view, view_)) {
+      view != view_) {
     picture_ = player.picture(view);
     story_ = player.shared();
     step_ = player.step();
@@ -248,6 +275,7 @@ Bounds Session::bounds_shown(bool selected_only) const {
 }
 
 bool Session::shows_operands() const {
+  if (presented != 0 && selection().empty()) return true;
   return view.shown != Shown::result && (worked_on(*this) != 0 || topmost_selected().size() >= 2);
 }
 

@@ -20,6 +20,7 @@
 #include "app/recent_files.h"
 #include "app/recording.h"
 #include "app/story_player.h"
+#include "app/tour_guide.h"
 #include "app/view_settings.h"
 #include "evaluation/evaluator.h"
 #include "picture/camera.h"
@@ -46,6 +47,13 @@ struct Renaming {
 struct Clipboard {
   std::function<std::string()> read;
   std::function<void(const std::string&)> write;
+};
+
+/// From where the sphere of a step is seen; it turns to what is to be seen at each new step.
+struct SphereTurn {
+  std::shared_ptr<const Story> story;
+  std::size_t step = 0;
+  Camera camera;
 };
 
 class Session {
@@ -145,6 +153,10 @@ class Session {
   std::string why_no_story() const;
   /// Are the operands of an operation drawn in the colours of A and B?
   bool shows_operands() const;
+  /// Of an operation with several operands: which of them B is in the story, from 1; A is the
+  /// result of all before it.
+  std::size_t told_operand() const;
+  void tell_operand(std::size_t which);
   /// Volume, area and counts, computed once for each solid.
   const SolidNumbers& numbers(NodeId id, const Solid& solid);
 
@@ -159,6 +171,7 @@ class Session {
   Messages messages;
   Dialogs dialogs;
   StoryPlayer player;
+  TourGuide tour;
   ViewSettings view;
   Camera camera;
   glm::dvec2 picture_size{800, 600};
@@ -176,9 +189,14 @@ class Session {
   bool context_menu = false;          ///< is to open where the pointer is
   std::unique_ptr<PictureTool> tool;  ///< null: none
   glm::dvec2 pointer{0};              ///< where the mouse is in the picture
-  bool adding = false;                ///< the list of primitives is to open
-  bool view_panel = false;            ///< the view settings are open
-  std::string typed_stop;             ///< a break point that is being typed
+  NodeId presented = 0;  ///< of a sample: its operands are shown alone until something is selected
+  std::vector<LegendKey> legend;  ///< of the picture in the last frame
+  SphereTurn sphere;
+  int lit_row = -1;         ///< of the step's table: the one that is pointed at
+  bool adding = false;      ///< the list of primitives is to open
+  bool view_panel = false;  ///< the view settings are open
+  std::string typed_stop;   ///< a break point that is being typed
+  std::pair<std::string, std::string> typed_pair;  ///< vertices of A and of B, for another
   bool wants_to_close = false;
 
  private:
@@ -193,6 +211,7 @@ class Session {
   void tell_new_first_operands(const Scene& before);
   void tell_story();
   void look_at(const Bounds& bounds);
+  std::size_t wished_operand_ = 0;  ///< 0: the last
   void frame_once_computed();
   std::vector<Solid> operands_of(const Node& node) const;
   void recover(const LostWork& work);

@@ -107,6 +107,7 @@ void Session::add_imported(const std::filesystem::path& path,
 
 void Session::open_sample(const std::string& name) {
   start(sample_scene(name), {});
+  presented = scene().roots().front();
   const auto& titles = sample_titles();
   const auto found = std::find_if(titles.begin(), titles.end(),
                                   [&](const SampleTitle& t) { return t.name == name; });

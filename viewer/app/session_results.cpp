@@ -2,11 +2,11 @@
 #include "app/session.h"
 #include "app/words.h"
 #include "scene/transforms.h"
-#include "story/half_space_block.h"
 
 namespace sectile::viewer {
 
 void Session::update(double seconds, bool wait) {
+  if (!selection().empty() || mode_ == Mode::steps) presented = 0;
   messages.pass(seconds);
   files_.finish(wait);
   evaluate();
@@ -15,6 +15,7 @@ void Session::update(double seconds, bool wait) {
   frame_once_computed();
   tell_story();
   player.update(seconds, wait);
+  tour.update(*this);
   document.keep_copy();
 }
 
@@ -95,12 +96,19 @@ std::vector<Solid> Session::operands_of(const Node& node) const {
     if (!found || !operand) return {};
     operands.push_back(*operand);
   }
-  if (const auto* split = std::get_if<SplitNode>(&node.what); split && operands.size() == 1)
-    if (const auto half = half_space_block(
-            operands.front(), pulled_back(split->plane, inverse(scene().world(node.id))),
-            split->above))
-      operands.push_back(*half);
-  return operands.size() < 2 ? std::vector<Solid>() : operands;
+  const std::size_t needed = std::holds_alternative<SplitNode>(node.what) ? 1 : 2;
+  return operands.size() < needed ? std::vector<Solid>() : operands;
+}
+
+std::size_t Session::told_operand() const {
+  const Node* node = scene().find(story_node());
+  if (!node || node->children.size() < 2) return 0;
+  const std::size_t last = node->children.size() - 1;
+  return wished_operand_ == 0 ? last : std::min(wished_operand_, last);
+}
+
+void Session::tell_operand(std::size_t which) {
+  wished_operand_ = which;
 }
 
 void Session::tell_story() {
@@ -108,19 +116,20 @@ void Session::tell_story() {
   if (!node) return player.forget();
   // While the operands are being computed the last story stays.
   if (evaluator_.is_busy() || !evaluation_ || evaluation_->request != newest_request_) return;
-  const std::vector<Solid> operands = operands_of(*node);
+  std::vector<Solid> operands = operands_of(*node);
   if (operands.empty()) return player.forget();
-  const auto* boolean_node = std::get_if<BooleanNode>(&node->what);
-  player.tell(operands, boolean_node ? boolean_node->operation : Operation::intersect);
+  if (const auto* split = std::get_if<SplitNode>(&node->what))
+    return player.tell(operands.front(),
+                       {pulled_back(split->plane, inverse(scene().world(node->id))), split->above});
+  operands.resize(told_operand() + 1);
+  player.tell(operands, std::get<BooleanNode>(node->what).operation);
 }
 
 std::string Session::why_no_story() const {
   const Node* node = scene().find(story_node());
   if (!node)
     return "There is no operation in the scene any more. Press Tab to go back to the model.";
-  if (std::holds_alternative<SplitNode>(node->what))
-    return "Steps of a split are told when its plane is parallel to two axes or halves their "
-           "angle.";
+  if (std::holds_alternative<SplitNode>(node->what)) return "The solid is being computed\u2026";
   if (node->children.size() < 2) return "This operation needs a second operand.";
   for (const NodeId child : node->children)
     if (const std::string error = error_of(child); !error.empty())

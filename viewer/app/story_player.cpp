@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <stdexcept>
 
 #include "events/background.h"
 
@@ -12,11 +13,19 @@ struct Request {
   std::vector<Solid> operands;
   Operation operation = Operation::unite;
   std::uint64_t number = 0;
+  std::optional<SplitBy> split = std::nullopt;
+
   bool is_same(const Request& other) const {
-    return operation == other.operation &&
+    return operation == other.operation && is_same_split(other) &&
            std::equal(operands.begin(), operands.end(), other.operands.begin(),
                       other.operands.end(),
                       [](const Solid& a, const Solid& b) { return a.data() == b.data(); });
+  }
+  bool is_same_split(const Request& other) const {
+    if (!split || !other.split) return split.has_value() == other.split.has_value();
+    const HalfSpace &p = split->plane, &q = other.split->plane;
+    return split->above == other.split->above && p.a == q.a && p.b == q.b && p.c == q.c &&
+           p.d == q.d;
   }
 };
 
@@ -26,15 +35,27 @@ struct Told {
   std::string error;
 };
 
+Story story_of(const Request& request, const std::atomic<bool>& cancel) {
+  if (request.split) {
+    std::optional<Story> story =
+        Story::tell_split(request.operands.front(), *request.split, &cancel);
+    if (!story)
+      throw std::runtime_error(
+          "Steps of a split are told when its plane is parallel to two axes or halves their "
+          "angle.");
+    return *story;
+  }
+  BooleanOptions options;
+  options.cancel = &cancel;
+  Solid a = request.operands.front();
+  for (std::size_t i = 1; i + 1 < request.operands.size(); ++i)
+    a = boolean(a, request.operands[i], request.operation, options);
+  return Story::tell(a, request.operands.back(), request.operation, &cancel);
+}
+
 Told tell_story(const Request& request, const std::atomic<bool>& cancel) {
   try {
-    BooleanOptions options;
-    options.cancel = &cancel;
-    Solid a = request.operands.front();
-    for (std::size_t i = 1; i + 1 < request.operands.size(); ++i)
-      a = boolean(a, request.operands[i], request.operation, options);
-    auto story = std::make_shared<const Story>(
-        Story::tell(a, request.operands.back(), request.operation, &cancel));
+    auto story = std::make_shared<const Story>(story_of(request, cancel));
     for (const bool eight_way : {false, true}) story->prepare(eight_way);
     return {request.number, std::move(story), {}};
   } catch (const Cancelled&) {
@@ -52,17 +73,24 @@ struct StoryPlayer::Teller {
   Background<Request, Told> worker{[](const Request& request, WorkState& state) {
     return std::optional<Told>(tell_story(request, state.cancelled()));
   }};
+
+  void ask(Request request) {
+    if (request.is_same(wanted)) return;
+    request.number = wanted.number + 1;
+    wanted = request;
+    worker.request(std::move(request));
+  }
 };
 
 StoryPlayer::StoryPlayer() : teller_(std::make_unique<Teller>()) {}
 StoryPlayer::~StoryPlayer() = default;
 
 void StoryPlayer::tell(const std::vector<Solid>& operands, Operation operation) {
-  Request& wanted = teller_->wanted;
-  Request request{operands, operation, wanted.number + 1};
-  if (request.is_same(wanted)) return;
-  wanted = request;
-  teller_->worker.request(std::move(request));
+  teller_->ask({operands, operation});
+}
+
+void StoryPlayer::tell(const Solid& solid, const SplitBy& split) {
+  teller_->ask({{solid}, Operation::intersect, 0, split});
 }
 
 void StoryPlayer::forget() {
@@ -100,13 +128,9 @@ void StoryPlayer::play_on(double seconds) {
   until_next_ -= seconds;
   while (playing_ && until_next_ <= 0) {
     until_next_ += 1 / steps_per_second;
-    const std::size_t stop = following_stop();
-    if (step_ + 1 >= story_->steps().size()) {
-      playing_ = false;
-    } else {
-      go_to(step_ + 1);
-      if (step_ == stop) playing_ = false;
-    }
+    const std::size_t stop = following_stop(), before = step_;
+    next();
+    if (step_ == before || step_ == stop) playing_ = false;
   }
 }
 
@@ -149,6 +173,20 @@ void StoryPlayer::go_to(Phase phase, std::size_t step_in_phase) {
   step_ = std::min(first, story_->steps().empty() ? 0 : story_->steps().size() - 1);
   phase_ = phase;
   current_.reset();
+}
+
+void StoryPlayer::next() {
+  if (special_only)
+    next_special(false);
+  else
+    go_to(step_ + 1);
+}
+
+void StoryPlayer::previous() {
+  if (special_only)
+    next_special(true);
+  else
+    go_to(step_ == 0 ? 0 : step_ - 1);
 }
 
 bool StoryPlayer::next_special(bool backwards) {

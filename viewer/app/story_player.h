@@ -22,6 +22,8 @@ class StoryPlayer {
   /// Asks for the story of the last operation in ((s0 op s1) op s2) …; the same again is nothing
   /// new. The place is kept: the same phase, and as far into it as there are steps.
   void tell(const std::vector<Solid>& operands, Operation operation);
+  /// Asks for the story of a split.
+  void tell(const Solid& solid, const SplitBy& split);
   void forget();  ///< there is no story to tell
   /// Takes over what was told in the meantime, and plays on. `wait`: until it is told.
   void update(double seconds, bool wait);
@@ -39,8 +41,10 @@ class StoryPlayer {
   Picture picture(const StoryView& view) const;  ///< of the present place; there must be a story
   void go_to(std::size_t step);
   void go_to(Phase phase, std::size_t step_in_phase);
-  void next() { go_to(step_ + 1); }
-  void previous() { go_to(step_ == 0 ? 0 : step_ - 1); }
+  void next();
+  void previous();
+  /// Stepping and playing go from special case to special case.
+  bool special_only = false;
   bool next_special(bool backwards);  ///< false: there is none
   bool next_stop();                   ///< the next step at which a break point stops
 

@@ -71,6 +71,15 @@ struct Label {
   bool operator==(const Label&) const = default;
 };
 
+/// What a colour in the picture means.
+struct LegendKey {
+  enum class Form : std::uint8_t { area, line, point };
+  std::string text;
+  Colour colour{0, 0, 0, 1};
+  Form form = Form::area;
+  bool operator==(const LegendKey&) const = default;
+};
+
 /// Cuts away what lies on the positive side of n·p + d = 0.
 struct SectionPlane {
   bool active = false;
@@ -101,7 +110,8 @@ struct Picture {
   std::vector<Surface> surfaces;
   std::vector<Lines> lines;
   std::vector<Points> points;
-  std::vector<Label> labels;  ///< drawn by the user interface layer
+  std::vector<Label> labels;      ///< drawn by the user interface layer, as is the legend:
+  std::vector<LegendKey> legend;  ///< every colour that means something here, and no other
   SectionPlane section;
   Surroundings surroundings;
   Quality quality = Quality::full;

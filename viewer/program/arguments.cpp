@@ -136,6 +136,8 @@ std::variant<Arguments, ExitCode> parse_arguments(int argc, char** argv) {
   auto* sample = program.add_option("--sample", arguments.sample, "a figure of the paper to open");
   program.add_option("--screenshot", arguments.screenshot, "write a picture and exit")
       ->type_name("OUT.png");
+  program.add_option("--tour", arguments.tour, "write the tour of the paper as a page and exit")
+      ->type_name("DIR");
   std::string turntable, film_steps;
   double seconds = 0;
   std::uint32_t frames = 48;

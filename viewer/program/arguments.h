@@ -42,6 +42,7 @@ struct Arguments {
   bool eight_way = false;
   std::filesystem::path screenshot;
   std::optional<RecordingPlan> film;  ///< without its size
+  std::filesystem::path tour;         ///< a folder to write the tour of the paper into
 
   /// A picture of a story without interface: needs no modeller.
   bool is_story_picture() const;

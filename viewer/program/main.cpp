@@ -8,6 +8,7 @@
 #include "program/film.h"
 #include "program/modeller.h"
 #include "program/story_screenshot.h"
+#include "program/tour_pictures.h"
 #include "render/renderer.h"
 #include "render/window.h"
 
@@ -35,6 +36,10 @@ std::unique_ptr<Window> open_window(const Arguments& arguments) {
 ExitCode run(const Arguments& arguments) {
   if (arguments.film) {
     std::cout << std::filesystem::absolute(write_film(arguments)).string() << '\n';
+    return ExitCode::done;
+  }
+  if (!arguments.tour.empty()) {
+    std::cout << std::filesystem::absolute(write_tour(arguments.tour)).string() << '\n';
     return ExitCode::done;
   }
   if (!arguments.screenshot.empty()) return draw_picture(arguments, arguments.screenshot);

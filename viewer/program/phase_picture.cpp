@@ -4,16 +4,20 @@
 
 #include "picture/theme.h"
 #include "samples/samples.h"
-#include "story/half_space_block.h"
 
 namespace sectile::viewer {
 
 StoryOperands sample_operands(const std::string& name) {
   const samples::Sample sample = samples::get(name);
   if (!sample.plane) return {sample.a, sample.b, sample.operation.value_or(Operation::unite)};
-  const std::optional<Solid> block = half_space_block(sample.a, *sample.plane, true);
-  if (!block) throw std::invalid_argument("the steps of sample " + name + " cannot be told");
-  return {sample.a, *block, Operation::intersect};
+  return {sample.a, {}, Operation::intersect, SplitBy{*sample.plane, true}};
+}
+
+Story tell(const StoryOperands& operands) {
+  if (!operands.split) return Story::tell(operands.a, operands.b, operands.operation);
+  std::optional<Story> story = Story::tell_split(operands.a, *operands.split);
+  if (!story) throw std::invalid_argument("the steps of this split cannot be told");
+  return *story;
 }
 
 void check_step_of(const Story& story, Phase phase, std::size_t step) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "story/story.h"
@@ -12,11 +13,13 @@ namespace sectile::viewer {
 struct StoryOperands {
   Solid a, b;
   Operation operation = Operation::unite;
+  std::optional<SplitBy> split = std::nullopt;  ///< of `a`; then there is no `b`
 };
 
 /// The solids of a sample and its figure's own operation. A sample of splitting keeps what is above
-/// the plane; b is then a block instead of the half-space.
+/// the plane.
 StoryOperands sample_operands(const std::string& name);
+Story tell(const StoryOperands& operands);
 
 constexpr std::size_t last_step = std::numeric_limits<std::size_t>::max();
 

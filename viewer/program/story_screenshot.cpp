@@ -20,13 +20,13 @@ StoryOperands operands_of(const Arguments& arguments) {
     operands.a = solid_of_file(arguments.files[0], read_mesh(arguments.files[0]));
     operands.b = solid_of_file(arguments.files[1], read_mesh(arguments.files[1]));
   }
-  if (arguments.operation) operands.operation = *arguments.operation;
+  if (arguments.operation && !operands.split) operands.operation = *arguments.operation;
   return operands;
 }
 
 Picture picture_of_step(const Arguments& arguments, double aspect) {
   const StoryOperands operands = operands_of(arguments);
-  const Story story = Story::tell(operands.a, operands.b, operands.operation);
+  const Story story = tell(operands);
   const StoryView view{arguments.eight_way, arguments.exploded, false, arguments.dark};
   return phase_picture(story, *arguments.phase,
                        arguments.step == 0 ? last_step : arguments.step - 1, view, aspect);

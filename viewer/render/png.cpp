@@ -31,6 +31,17 @@ void write_png(const std::string& path, const Image& image) {
   write_whole(path, {bytes.data(), bytes.size()});
 }
 
+std::string png_of(const Image& image) {
+  std::vector<std::uint8_t> rgb;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+    rgb.insert(rgb.end(), &image.rgba[i], &image.rgba[i] + 3);
+  std::vector<char> bytes;
+  if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, rgb.data(),
+                              image.width * 3))
+    throw std::runtime_error("cannot make a PNG");
+  return {bytes.begin(), bytes.end()};
+}
+
 Image read_png(const std::string& path) {
   Image image;
   int channels = 0;

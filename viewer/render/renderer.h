@@ -35,6 +35,8 @@ class Renderer {
   std::unique_ptr<Implementation> implementation_;
 };
 
+/// The bytes of a PNG without transparency.
+std::string png_of(const Image& image);
 /// Writes a PNG whole or not at all; throws std::runtime_error.
 void write_png(const std::string& path, const Image& image);
 Image read_png(const std::string& path);

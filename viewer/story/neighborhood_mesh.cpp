@@ -60,34 +60,48 @@ void add_fan(SurfaceMesh& mesh, const SpherePicture::Arc& arc, const glm::dvec3&
 
 }  // namespace
 
-void add_fans(const StoryRecord& record, std::uint32_t place, double radius, ClassMeshes& meshes) {
+glm::dvec3 middle_of(const SpherePicture::Arc& arc) {
+  const glm::dvec3 from(arc.from), aside = glm::cross(glm::dvec3(arc.normal), from);
+  const double t = 0.5 * arc_angle(arc);
+  return from * std::cos(t) + aside * std::sin(t);
+}
+
+void add_fan(ClassMeshes& meshes, const SpherePicture::Arc& arc, const glm::dvec3& centre,
+             double radius) {
+  add_fan(mesh_for(meshes, arc.solid, arc.cls), arc,
+          shifted(centre, arc.solid, glm::dvec3(arc.normal), radius), radius);
+}
+
+void add_fans(const StoryRecord& record, std::uint32_t place, double radius, ClassMeshes& meshes,
+              const std::optional<glm::dvec3>& drawn_at) {
   const auto contacts = record.contacts.at(place);
   if (contacts.empty()) return;
-  const glm::dvec3 centre = to_glm(places_of(record.events[contacts[0]])[0].point);
-  for (const SpherePicture::Arc& arc : sphere_at(record, place).arcs) {
-    const double size = arc.solid == 0 ? radius : 0.85 * radius;
-    add_fan(mesh_for(meshes, arc.solid, arc.cls), arc,
-            shifted(centre, arc.solid, glm::dvec3(arc.normal), radius), size);
-  }
+  const glm::dvec3 centre =
+      drawn_at.value_or(to_glm(places_of(record.events[contacts[0]])[0].point));
+  for (const SpherePicture::Arc& arc : sphere_at(record, place).arcs)
+    add_fan(meshes, arc, centre, arc.solid == 0 ? radius : 0.85 * radius);
+}
+
+void add_strip(ClassMeshes& meshes, const TraceHalfPlane& h, const std::array<TracePlace, 2>& ends,
+               double width, double margin) {
+  const glm::dvec3 p = to_glm(ends[0].point), q = to_glm(ends[1].point);
+  const double length = glm::length(q - p);
+  if (length <= 2 * margin) return;
+  const glm::dvec3 inwards = (q - p) * (margin / length), normal = to_glm(h.normal);
+  const double size = h.solid == 0 ? width : 0.85 * width;
+  const glm::dvec3 start = shifted(p + inwards, h.solid, normal, width),
+                   end = shifted(q - inwards, h.solid, normal, width),
+                   out = to_glm(h.direction) * size;
+  SurfaceMesh& mesh = mesh_for(meshes, h.solid, h.before);
+  add_triangle(mesh, start, end, end + out, normal);
+  add_triangle(mesh, start, end + out, start + out, normal);
+  add_edge(mesh, start + out, end + out);
 }
 
 void add_strips(const NeighborhoodEvent& neighborhood, double width, double margin,
                 ClassMeshes& meshes) {
-  const glm::dvec3 p = to_glm(neighborhood.ends[0].point), q = to_glm(neighborhood.ends[1].point);
-  const double length = glm::length(q - p);
-  if (length <= 2 * margin) return;
-  const glm::dvec3 inwards = (q - p) * (margin / length);
-  for (const TraceHalfPlane& h : neighborhood.half_planes) {
-    const glm::dvec3 normal = to_glm(h.normal);
-    const double size = h.solid == 0 ? width : 0.85 * width;
-    const glm::dvec3 start = shifted(p + inwards, h.solid, normal, width),
-                     end = shifted(q - inwards, h.solid, normal, width),
-                     out = to_glm(h.direction) * size;
-    SurfaceMesh& mesh = mesh_for(meshes, h.solid, h.before);
-    add_triangle(mesh, start, end, end + out, normal);
-    add_triangle(mesh, start, end + out, start + out, normal);
-    add_edge(mesh, start + out, end + out);
-  }
+  for (const TraceHalfPlane& h : neighborhood.half_planes)
+    add_strip(meshes, h, neighborhood.ends, width, margin);
 }
 
 }  // namespace sectile::viewer

@@ -36,6 +36,21 @@ struct SpherePicture {
 /// One row of the inspector's table.
 using Row = std::vector<std::string>;
 
+/// What a step comes to, in three words; the tone is told by a colour too.
+struct Verdict {
+  enum class Tone : std::uint8_t { plain, special, cut, kept, dropped };
+  std::string words;
+  Tone tone = Tone::plain;
+};
+
+/// A table of the paper (with its errata mended), and what of it this step comes from.
+struct PaperTable {
+  std::string title;
+  Row columns;
+  std::vector<Row> rows;
+  std::vector<std::size_t> lit_rows, lit_columns;  ///< no columns: all of them
+};
+
 /// A step as it stands in the time line.
 struct StepRecord {
   Phase phase = Phase::reduction;
@@ -49,9 +64,13 @@ struct Step {
   std::string kind;  ///< "contact", "segment", "neighborhood", "null edge", "cut", "part", "wedge",
                      ///< "result"
   std::string title;  ///< one line: "vertex v3 of A on face f7 of B"
+  Verdict verdict;
+  std::vector<std::string> bullets;  ///< at most three, short
+  std::vector<PaperTable> paper;
   std::string words;  ///< what is decided here and by which rule (table and row), in sentences
   Row columns;
   std::vector<Row> table;          ///< codes before and after reclassification, …
+  Row row_faces;                   ///< of each row: the face on the sphere ("A f3"), or nothing
   std::vector<glm::dvec3> places;  ///< one place, or the two ends of a segment, or none
   std::string a, b;                ///< entities concerned, for break points ("v12")
   bool special = false;

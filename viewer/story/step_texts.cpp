@@ -1,5 +1,6 @@
 #include "story/step_texts.h"
 
+#include "story/row_elements.h"
 #include "story/sphere_picture.h"
 #include "story/wording.h"
 
@@ -149,8 +150,14 @@ Step tell_step(const StoryRecord& record, std::size_t number) {
   step.b = names_of(event, 1);
   for (const TracePlace& place : places_of(event)) step.places.push_back(to_glm(place.point));
   std::visit(Teller{record, step}, event);
+  judge(record, event, step);
+  for (std::size_t row = 0; row < step.table.size(); ++row) {
+    const std::optional<RowElement> element = element_of_row(record, number, row);
+    step.row_faces.push_back(element ? element->name : "");
+  }
   if (has_place(event)) step.sphere = sphere_at(record, record.main_place(event));
   if (step.phase == Phase::reduction) step.sphere = without_codes(std::move(step.sphere));
+  if (record.split) put_in_words_of_split(record, step);
   return step;
 }
 

@@ -1,6 +1,7 @@
 #include "story/story.h"
 
 #include "story/break_point.h"
+#include "story/half_space_block.h"
 #include "story/step_texts.h"
 #include "story/story_pictures.h"
 #include "story/story_record.h"
@@ -13,6 +14,15 @@ Story Story::tell(const Solid& a, const Solid& b, Operation operation,
                   const std::atomic<bool>* cancel) {
   Story story;
   story.record_ = record_story(a, b, operation, cancel);
+  return story;
+}
+
+std::optional<Story> Story::tell_split(const Solid& solid, const SplitBy& split,
+                                       const std::atomic<bool>* cancel) {
+  const std::optional<Solid> half_space = half_space_block(solid, split.plane, split.above);
+  if (!half_space) return std::nullopt;
+  Story story;
+  story.record_ = record_story(solid, *half_space, Operation::intersect, cancel, split);
   return story;
 }
 

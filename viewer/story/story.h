@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,14 @@ struct StoryView {
   double exploded = 0;  ///< 0 … 1: parts, and the ends of null edges, pulled apart
   bool labels = false;
   bool dark = false;
+  int lit_row = -1;  ///< of the present step's table; -1: none
+  bool operator==(const StoryView&) const = default;
+};
+
+/// What a split is told with: the plane of section 3, and which side is kept.
+struct SplitBy {
+  HalfSpace plane;
+  bool above = true;
 };
 
 struct StoryRecord;
@@ -32,6 +41,10 @@ class Story {
   /// Runs the operation with an observer; throws Cancelled, InternalError, … as boolean() does.
   static Story tell(const Solid& a, const Solid& b, Operation operation,
                     const std::atomic<bool>* cancel = nullptr);
+  /// The same for a split, told as in section 3: half-space, plane, above, on and below. Nothing if
+  /// doubles cannot hold the plane within the solid's surroundings.
+  static std::optional<Story> tell_split(const Solid& solid, const SplitBy& split,
+                                         const std::atomic<bool>* cancel = nullptr);
 
   /// All steps, phase by phase in order.
   const std::vector<StepRecord>& steps() const;

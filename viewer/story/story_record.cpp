@@ -186,11 +186,13 @@ void find_phases(StoryRecord& record) {
 }  // namespace
 
 std::shared_ptr<const StoryRecord> record_story(const Solid& a, const Solid& b, Operation operation,
-                                                const std::atomic<bool>* cancel) {
+                                                const std::atomic<bool>* cancel,
+                                                std::optional<SplitBy> split) {
   const auto record = std::make_shared<StoryRecord>();
   record->a = a;
   record->b = b;
   record->operation = operation;
+  record->split = split;
   Recorder recorder(*record);
   BooleanOptions options;
   options.observer = &recorder;
@@ -205,7 +207,7 @@ std::shared_ptr<const StoryRecord> record_story(const Solid& a, const Solid& b, 
     step.special = std::visit(specials, record->events[step.event]);
   find_phases(*record);
   add_bounds(record->bounds, a);
-  add_bounds(record->bounds, b);
+  if (!split) add_bounds(record->bounds, b);
   return record;
 }
 

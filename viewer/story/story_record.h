@@ -11,6 +11,7 @@
 #include "picture/surface_mesh.h"
 #include "sectile/sectile.h"
 #include "story/step.h"
+#include "story/story.h"
 
 namespace sectile::viewer {
 
@@ -36,6 +37,7 @@ enum class Sight : std::uint8_t { edge_through_face, vertex_in_face, coincident 
 struct StoryRecord {
   Solid a, b, result;
   Operation operation = Operation::unite;
+  std::optional<SplitBy> split;  ///< then b stands for the half-space
   std::vector<TraceEvent> events;
   std::vector<StepRecord> steps;
   std::array<std::size_t, 9> first_step{};  ///< per phase, and one past all
@@ -74,7 +76,8 @@ std::string names_of(const TraceEvent& event, int solid);
 
 /// Runs the operation and keeps what it reports.
 std::shared_ptr<const StoryRecord> record_story(const Solid& a, const Solid& b, Operation operation,
-                                                const std::atomic<bool>* cancel);
+                                                const std::atomic<bool>* cancel,
+                                                std::optional<SplitBy> split = std::nullopt);
 
 /// Coordinates, for the eye.
 inline glm::dvec3 to_glm(const Vec3& v) {

@@ -16,6 +16,37 @@ void wrapped(const std::string& text) {
   ImGui::PopTextWrapPos();
 }
 
+ImVec4 colour_of(Verdict::Tone tone, const Theme& theme) {
+  switch (tone) {
+    case Verdict::Tone::plain:
+      return ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
+    case Verdict::Tone::special:
+      return {0.80f, 0.47f, 0.0f, 1};
+    case Verdict::Tone::cut:
+      return vector(theme.step);
+    case Verdict::Tone::kept:
+      return vector(theme.cut);
+    case Verdict::Tone::dropped:
+      break;
+  }
+  return vector(theme.contact_segment);
+}
+
+/// The first thing that is read: three words on a bar of their colour.
+void draw_verdict(PanelContext& context, const Verdict& verdict) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushFont(context.fonts.title);
+  const float height = ImGui::GetTextLineHeight();
+  const ImVec4 colour = colour_of(verdict.tone, context.theme);
+  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + 6, at.y + height},
+                                            ImGui::ColorConvertFloat4ToU32(colour), 2);
+  ImGui::Dummy({6, height});
+  ImGui::SameLine();
+  ImGui::TextColored(colour, "%s", verdict.words.c_str());
+  ImGui::PopFont();
+  context.widgets.record_item("inspector.verdict");
+}
+
 float longest_word(const std::string& text) {
   float width = 0;
   std::istringstream words(text);
@@ -24,12 +55,12 @@ float longest_word(const std::string& text) {
 }
 
 /// As wide as their texts where there is room for all; else narrower, but no word is broken.
-std::vector<float> column_widths(const Step& step, float room) {
+std::vector<float> column_widths(const Row& columns, const std::vector<Row>& rows, float room) {
   std::vector<float> whole, least;
-  for (std::size_t i = 0; i < step.columns.size(); ++i) {
-    whole.push_back(text_width(step.columns[i]));
-    least.push_back(longest_word(step.columns[i]));
-    for (const Row& row : step.table) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    whole.push_back(text_width(columns[i]));
+    least.push_back(longest_word(columns[i]));
+    for (const Row& row : rows) {
       if (i >= row.size()) continue;
       whole[i] = std::max(whole[i], text_width(row[i]));
       least[i] = std::max(least[i], longest_word(row[i]));
@@ -65,32 +96,103 @@ void draw_row(const Row& row, const std::vector<float>& widths, const Told& draw
   }
 }
 
-void draw_table(PanelContext& context, const Step& step) {
-  if (step.columns.empty() || step.table.empty()) return;
+/// How a table is drawn: the paper's tables have lit rows, the step's own is pointed at.
+struct TableLook {
+  const char* id = "";
+  std::string prefix;  ///< of the names of its columns and its last row; empty: none are recorded
+  std::vector<std::size_t> lit_rows, lit_columns;
+};
+
+/// The whole row faintly, and strongly the columns that decide.
+void light_row(const Theme& theme, const std::vector<std::size_t>& columns) {
+  const Colour& accent = theme.handle_active;
+  ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0,
+                         packed(with_alpha(accent, columns.empty() ? 0.65f : 0.22f)));
+  for (const std::size_t column : columns)
+    ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, packed(with_alpha(accent, 0.75f)),
+                           static_cast<int>(column));
+}
+
+/// Gives the row under the mouse, or -1.
+int draw_table(PanelContext& context, const Row& columns, const std::vector<Row>& rows,
+               const TableLook& look) {
+  if (columns.empty() || rows.empty()) return -1;
+  int hovered = -1;
   ImGui::PushFont(context.fonts.small);
   const float room = ImGui::GetContentRegionAvail().x;
-  const std::vector<float> widths = column_widths(step, room);
-  const Row names(step.columns.begin(), step.columns.end());
-  float height = row_height(names, widths) + 2, width = 1;
-  for (const Row& row : step.table) height += row_height(row, widths);
+  const std::vector<float> widths = column_widths(columns, rows, room);
+  float height = row_height(columns, widths) + 2, width = 1;
+  for (const Row& row : rows) height += row_height(row, widths);
   for (const float column : widths) width += column + 2 * ImGui::GetStyle().CellPadding.x + 1;
   if (width > room) height += ImGui::GetStyle().ScrollbarSize;
   const ImGuiTableFlags flags = ImGuiTableFlags_Borders | ImGuiTableFlags_RowBg |
                                 ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollX |
                                 ImGuiTableFlags_NoSavedSettings;
-  if (ImGui::BeginTable("codes", static_cast<int>(widths.size()), flags, {0, height})) {
+  if (ImGui::BeginTable(look.id, static_cast<int>(widths.size()), flags, {0, height})) {
     for (std::size_t i = 0; i < widths.size(); ++i)
-      ImGui::TableSetupColumn(step.columns[i].c_str(), ImGuiTableColumnFlags_WidthFixed, widths[i]);
-    draw_row(names, widths,
-             [&](std::size_t i) { context.widgets.record_item("inspector.column:" + names[i]); });
+      ImGui::TableSetupColumn(columns[i].c_str(), ImGuiTableColumnFlags_WidthFixed, widths[i]);
+    draw_row(columns, widths, [&](std::size_t i) {
+      if (!look.prefix.empty()) context.widgets.record_item(look.prefix + "column:" + columns[i]);
+    });
     ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, ImGui::GetColorU32(ImGuiCol_TableHeaderBg));
-    for (const Row& row : step.table)
-      draw_row(row, widths, [&](std::size_t i) {
-        if (&row == &step.table.back()) context.widgets.record_item("inspector.last:" + names[i]);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    float top = ImGui::GetItemRectMin().y + row_height(columns, widths);
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      draw_row(rows[r], widths, [&](std::size_t i) {
+        if (r + 1 == rows.size() && !look.prefix.empty())
+          context.widgets.record_item(look.prefix + "last:" + columns[i]);
+        if (i == 0) top = ImGui::GetItemRectMin().y - ImGui::GetStyle().CellPadding.y;
       });
+      if (std::count(look.lit_rows.begin(), look.lit_rows.end(), r) > 0)
+        light_row(context.theme, look.lit_columns);
+      if (ImGui::IsWindowHovered() && mouse.y >= top && mouse.y < top + row_height(rows[r], widths))
+        hovered = static_cast<int>(r);
+    }
     ImGui::EndTable();
+    if (!look.prefix.empty()) context.widgets.record_item(look.id);
   }
   ImGui::PopFont();
+  return hovered;
+}
+
+void draw_paper_tables(PanelContext& context, const Step& step) {
+  for (std::size_t i = 0; i < step.paper.size(); ++i) {
+    const PaperTable& table = step.paper[i];
+    note(context, table.title);
+    const std::string id = "paper." + std::to_string(i);
+    draw_table(context, table.columns, table.rows,
+               {id.c_str(), "", table.lit_rows, table.lit_columns});
+    ImGui::Spacing();
+  }
+}
+
+void draw_bullets(const Step& step) {
+  for (const std::string& bullet : step.bullets) {
+    ImGui::Bullet();
+    ImGui::SameLine(0, 9);
+    wrapped(bullet);
+  }
+}
+
+/// Of ((s0 op s1) op s2) …: which pair is told, and the others.
+void draw_pairs(PanelContext& context) {
+  Session& session = context.session;
+  const Node* node = session.scene().find(session.story_node());
+  const std::size_t told = session.told_operand();
+  if (!node || node->children.size() < 3) return;
+  const auto name_of_pair = [&](std::size_t i) {
+    const auto name = [&](std::size_t k) { return session.scene().find(node->children[k])->name; };
+    return "A: " + (i == 1 ? name(0) : name(0) + " … " + name(i - 1)) + "   B: " + name(i);
+  };
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::BeginCombo("##pair", name_of_pair(told).c_str())) {
+    for (std::size_t i = 1; i < node->children.size(); ++i)
+      if (ImGui::Selectable((name_of_pair(i) + "##" + std::to_string(i)).c_str(), i == told))
+        session.tell_operand(i);
+    ImGui::EndCombo();
+  }
+  context.widgets.record_item("inspector.pair");
+  tooltip("An operation with several operands is a chain: these are the steps of one link.");
 }
 
 /// How high the sphere is, below words and table that need `needed` of `room`: as a person dragged
@@ -146,6 +248,7 @@ void draw_heading(PanelContext& context, const Step& step) {
     ImGui::TextColored(ImVec4(0.80f, 0.47f, 0.0f, 1), "%s special case", icons::star);
   }
   ImGui::PopFont();
+  draw_verdict(context, step.verdict);
   ImGui::PushFont(context.fonts.bold);
   wrapped(step.title);
   ImGui::PopFont();
@@ -158,6 +261,7 @@ void draw_heading(PanelContext& context, const Step& step) {
 void draw_inspector(PanelContext& context) {
   begin_panel(context, "inspector", context.layout.inspector);
   const Step* step = context.session.player.current();
+  context.session.lit_row = -1;
   if (!step) {
     draw_waiting(context);
     end_panel();
@@ -171,14 +275,23 @@ void draw_inspector(PanelContext& context) {
   const float sphere =
       has_sphere ? sphere_height(context.session.view, room.x, room.y - edge, needed) : 0;
   ImGui::BeginChild("words", {0, room.y - sphere - edge});
+  draw_pairs(context);
   draw_heading(context, *step);
-  draw_table(context, *step);
+  context.session.lit_row =
+      draw_table(context, step->columns, step->table, {"inspector.table", "inspector.", {}, {}});
   ImGui::Spacing();
-  wrapped(step->words);
+  draw_bullets(*step);
+  // The paper's tables may be scrolled to.
   needed = ImGui::GetCursorPosY() + ImGui::GetStyle().ItemSpacing.y;
+  ImGui::Spacing();
+  draw_paper_tables(context, *step);
+  if (ImGui::TreeNodeEx("In full", ImGuiTreeNodeFlags_SpanAvailWidth)) {
+    wrapped(step->words);
+    ImGui::TreePop();
+  }
   ImGui::EndChild();
   if (has_sphere) draw_sphere_splitter(context, room.x, sphere);
-  if (sphere > 0) draw_sphere(context, step->sphere, room.x, sphere);
+  if (sphere > 0) draw_sphere(context, *step, room.x, sphere);
   end_panel();
 }
 

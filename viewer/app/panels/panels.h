@@ -27,8 +27,9 @@ void draw_status_bar(PanelContext& context);
 void draw_file_browser(PanelContext& context);
 void draw_questions(PanelContext& context);
 void draw_help(PanelContext& context);
+void draw_tour(PanelContext& context);
 
-/// The spherical picture of a step, as large as it fits.
-void draw_sphere(PanelContext& context, const SpherePicture& picture, float width, float height);
+/// The spherical picture of a step with a caption, as large as it fits.
+void draw_sphere(PanelContext& context, const Step& step, float width, float height);
 
 }  // namespace sectile::viewer

@@ -109,7 +109,19 @@ class Tree {
     if (std::holds_alternative<SplitNode>(node.what)) sign = std::string(icons::scissors) + "  ";
     if (std::holds_alternative<Pattern>(node.what)) sign = std::string(icons::grid) + "  ";
     if (std::holds_alternative<Group>(node.what)) sign = std::string(icons::group) + "  ";
-    return sign + node.name;
+    return sign + node.name + role_in_story(node);
+  }
+
+  /// Of several operands: which are A and B of the steps that are told.
+  std::string role_in_story(const Node& node) const {
+    if (session_.mode() != Mode::steps || node.parent != session_.story_node()) return {};
+    const Node* parent = session_.scene().find(node.parent);
+    const std::size_t told = session_.told_operand();
+    if (!parent || parent->children.size() < 3) return {};
+    const auto place = static_cast<std::size_t>(
+        std::find(parent->children.begin(), parent->children.end(), node.id) -
+        parent->children.begin());
+    return place < told ? "   (in A)" : place == told ? "   (B)" : "   (later)";
   }
 
   void react(const Node& node) {

@@ -1,4 +1,4 @@
-// The neighborhood of a contact as arcs on the unit sphere, seen from where the camera is.
+// The neighborhood of a contact as arcs on the unit sphere, seen from where most of it is seen.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,9 +13,10 @@ constexpr float shading_step = 10;  ///< between samples of a line
 
 class SphereDrawing {
  public:
-  SphereDrawing(const SpherePicture& picture, const Camera& camera, const Theme& theme,
-                ImVec2 centre, float radius)
+  SphereDrawing(const SpherePicture& picture, const std::string& lit_face, const Camera& camera,
+                const Theme& theme, ImVec2 centre, float radius)
       : picture_(picture),
+        lit_face_(lit_face),
         theme_(theme),
         centre_(centre),
         radius_(radius),
@@ -92,8 +93,10 @@ class SphereDrawing {
 
   void draw_arc(const SpherePicture::Arc& arc, bool front) {
     const std::vector<glm::vec3> points = points_of(arc);
-    const ImU32 colour = packed(with_alpha(colour_of(arc.solid), front ? 1.0f : 0.30f));
-    const float width = front ? 2.6f : 1.2f;
+    const bool lit = !lit_face_.empty() && arc.label == lit_face_;
+    const Colour& own = lit ? theme_.step : colour_of(arc.solid);
+    const ImU32 colour = packed(with_alpha(own, front ? 1.0f : lit ? 0.6f : 0.30f));
+    const float width = (front ? 2.6f : 1.2f) + (lit ? 3.0f : 0.0f);
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
       if (is_front(0.5f * (points[i] + points[i + 1])) == front)
         draw_.AddLine(place(points[i]), place(points[i + 1]), colour, width);
@@ -131,6 +134,7 @@ class SphereDrawing {
   }
 
   const SpherePicture& picture_;
+  const std::string& lit_face_;
   const Theme& theme_;
   ImVec2 centre_;
   float radius_;
@@ -139,26 +143,67 @@ class SphereDrawing {
   std::vector<ImVec4> taken_;
 };
 
+/// The direction from which most is seen: contact segments count most, then edges, then faces.
+glm::dvec3 interesting_side(const SpherePicture& picture, const glm::dvec3& otherwise) {
+  glm::dvec3 sum(0);
+  for (const SpherePicture::Mark& mark : picture.marks)
+    sum += (mark.solid < 0 ? 2.0 : 0.5) * glm::dvec3(mark.direction);
+  for (const SpherePicture::Arc& arc : picture.arcs) {
+    const glm::dvec3 middle(arc.from + arc.to);
+    if (glm::length(middle) > 1e-6) sum += 0.25 * glm::normalize(middle);
+  }
+  // What lies opposite to each other is seen from neither end.
+  if (glm::length(sum) < 0.3) return otherwise;
+  return glm::normalize(glm::normalize(sum) + 0.35 * otherwise);
+}
+
+void turn_to(SphereTurn& turn, const Session& session, const SpherePicture& picture) {
+  const auto story = session.player.shared();
+  if (turn.story == story && turn.step == session.player.step()) return;
+  turn.story = story;
+  turn.step = session.player.step();
+  const glm::dvec3 from = interesting_side(picture, -session.camera.forward());
+  turn.camera.azimuth = std::atan2(from.y, from.x);
+  turn.camera.elevation = std::clamp(std::asin(std::clamp(from.z, -1.0, 1.0)), -1.4, 1.4);
+}
+
+std::string caption_of(const Step& step, bool dark) {
+  std::string text = "All around the place: blue A, orange B, tinted inside. ";
+  const auto segments = std::count_if(step.sphere.marks.begin(), step.sphere.marks.end(),
+                                      [](const SpherePicture::Mark& m) { return m.solid < 0; });
+  if (segments > 0) text += std::string(dark ? "White" : "Black") + ": contact segments.";
+  return text;
+}
+
 }  // namespace
 
-void draw_sphere(PanelContext& context, const SpherePicture& picture, float width, float height) {
+void draw_sphere(PanelContext& context, const Step& step, float width, float height) {
+  Session& session = context.session;
+  turn_to(session.sphere, session, step.sphere);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton("sphere", {width, height});
+  ImGui::PushFont(context.fonts.small);
+  const std::string caption = caption_of(step, session.view.dark);
+  const float caption_height = ImGui::CalcTextSize(caption.c_str(), nullptr, false, width).y + 4;
+  height -= caption_height;
+  ImGui::InvisibleButton("sphere", {width, std::max(1.0f, height)});
   context.widgets.record_item("inspector.sphere");
   if (ImGui::IsItemActive()) {
     const ImVec2 by = ImGui::GetIO().MouseDelta;
-    context.session.camera.orbit(-0.01 * static_cast<double>(by.x),
-                                 0.01 * static_cast<double>(by.y));
+    session.sphere.camera.orbit(-0.01 * static_cast<double>(by.x),
+                                0.01 * static_cast<double>(by.y));
   }
-  tooltip(
-      "The neighborhoods on a small sphere around the place: blue is A, orange is B; tinted is "
-      "inside. Seen as in the picture; drag to turn both.");
+  tooltip("The neighborhoods on a small sphere around the place. Drag to turn it.");
+  const std::size_t row = static_cast<std::size_t>(session.lit_row);
+  const std::string lit =
+      session.lit_row >= 0 && row < step.row_faces.size() ? step.row_faces[row] : "";
   const float line = ImGui::GetTextLineHeight();
-  const float radius = std::max(10.0f, std::min(width, height - line) / 2 - 12);
-  ImGui::PushFont(context.fonts.small);
-  SphereDrawing(picture, context.session.camera, context.theme,
+  const float radius = std::max(10.0f, std::min(width, height - line) / 2 - 6);
+  SphereDrawing(step.sphere, lit, session.sphere.camera, context.theme,
                 {at.x + width / 2, at.y + height / 2}, radius)
       .draw();
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextDisabled("%s", caption.c_str());
+  ImGui::PopTextWrapPos();
   ImGui::PopFont();
 }
 

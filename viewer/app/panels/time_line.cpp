@@ -63,6 +63,36 @@ void add_stop(Session& session, std::string& typed) {
   typed.clear();
 }
 
+/// A vertex of A, one of B, or both: then their pair.
+std::string typed_pair(const Session& session) {
+  const auto& [a, b] = session.typed_pair;
+  if (!a.empty() && !b.empty()) return a + " on " + b;
+  return a.empty() ? b.empty() ? "" : "B " + b : "A " + a;
+}
+
+void draw_pair_fields(PanelContext& context) {
+  Session& session = context.session;
+  bool entered = false;
+  std::string* const fields[] = {&session.typed_pair.first, &session.typed_pair.second};
+  for (int s = 0; s < 2; ++s) {
+    if (s == 1) ImGui::SameLine();
+    ImGui::SetNextItemWidth(76);
+    const char* hint = s == 0 ? "v of A" : "v of B";
+    entered |= ImGui::InputTextWithHint(s == 0 ? "##stop.a" : "##stop.b", hint, fields[s],
+                                        ImGuiInputTextFlags_EnterReturnsTrue);
+    context.widgets.record_item(s == 0 ? "stop.a" : "stop.b");
+  }
+  ImGui::SameLine();
+  std::string typed = typed_pair(session);
+  if ((button(context, "stop.pair", "Stop", "At a vertex of A, one of B, or where the two meet",
+              !typed.empty()) ||
+       entered) &&
+      !typed.empty()) {
+    add_stop(session, typed);
+    if (typed.empty()) session.typed_pair = {};
+  }
+}
+
 void draw_break_points(PanelContext& context) {
   StoryPlayer& player = context.session.player;
   const std::string text =
@@ -84,6 +114,7 @@ void draw_break_points(PanelContext& context) {
     }
   }
   ImGui::Separator();
+  draw_pair_fields(context);
   ImGui::SetNextItemWidth(130);
   const bool entered =
       ImGui::InputTextWithHint("##entity", "vertex, e.g. v12", &context.session.typed_stop,
@@ -118,6 +149,7 @@ void draw_controls(PanelContext& context, const Story& story, std::size_t step) 
   transport(context, "steps.play", session.player.is_playing() ? icons::pause : icons::play);
   transport(context, "steps.next", icons::step_forward);
   transport(context, "steps.next_special", icons::star);
+  transport(context, "steps.special_only", icons::filter);
   transport(context, "steps.next_stop", icons::flag);
   transport(context, "steps.follow", icons::crosshairs);
   ImGui::SameLine(0, 8);
