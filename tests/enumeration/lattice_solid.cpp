@@ -48,6 +48,8 @@ LatticePlane plane_of(const Geometry& geometry, PlaneId id) {
       v = {0, 0, 1};
       break;
     case PlaneDefinition::Kind::coefficients:
+    case PlaneDefinition::Kind::exact_coefficients:
+    case PlaneDefinition::Kind::along_direction:
       throw std::logic_error("a plane that is not through points");
   }
   const Vector n = cross(u, v);
