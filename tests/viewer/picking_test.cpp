@@ -7,6 +7,7 @@
 #include <random>
 
 #include "picture/surface_mesh.h"
+#include "scene/placed_solid.h"
 #include "scene/snapping.h"
 
 namespace sectile::viewer {
@@ -163,10 +164,10 @@ TEST(Snapping, FacesBecomeFlush) {
   EXPECT_EQ(made.transform()({-0.15, 0, 0}).x, 0.7);
   EXPECT_EQ(made.position.y, 0.123 + 0.01);
   // Exactly flush: one shell, and the walls of the contact are gone.
-  const Solid both = boolean(transformed(inside, made.transform()), wall, Operation::unite);
-  EXPECT_EQ(both.counts().shells, 1u);
-  EXPECT_TRUE(
-      boolean(transformed(inside, made.transform()), wall, Operation::intersect).is_empty());
+  const Solid placed = placed_solid(inside, made.transform());
+  EXPECT_EQ(placed.counts().faces, inside.counts().faces);
+  EXPECT_EQ(boolean(placed, wall, Operation::unite).counts().shells, 1u);
+  EXPECT_TRUE(boolean(placed, wall, Operation::intersect).is_empty());
 }
 
 TEST(Snapping, KeepsToTheDirectionsOfTheDrag) {

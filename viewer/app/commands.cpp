@@ -1,6 +1,7 @@
 #include "app/commands.h"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include "app/command_lists.h"
@@ -49,6 +50,15 @@ std::string name_of(const Shortcut& shortcut) {
   return name += key_name(shortcut.key);
 }
 
+/// The tour of the paper stands before the last entry.
+std::vector<Command> help_menu() {
+  std::vector<Command> menu = help_commands(), tour = tour_commands();
+  tour.front().begins_group = menu.back().begins_group = true;
+  menu.insert(menu.end() - 1, std::make_move_iterator(tour.begin()),
+              std::make_move_iterator(tour.end()));
+  return menu;
+}
+
 /// All menus, from left to right.
 struct MenuRow {
   const char* name;
@@ -65,8 +75,7 @@ constexpr MenuRow menu_table[] = {
     {"menu.operations", "Operations", operation_commands},
     {"menu.view", "View", view_commands},
     {"menu.steps", "Steps", step_commands},
-    {"menu.tour", "Tour", tour_commands},
-    {"menu.help", "Help", help_commands},
+    {"menu.help", "Help", help_menu},
 };
 
 }  // namespace

@@ -30,6 +30,11 @@ void Widgets::record_item(const std::string& name, bool enabled, float text_widt
   widgets_[name] = widget;
 }
 
+void Widgets::record_surface(const std::string& name) {
+  record_item(name);
+  widgets_[name].surface = true;
+}
+
 void Widgets::record_window(const std::string& name) {
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   Widget widget;

@@ -23,6 +23,8 @@ class Widgets {
   /// it fits.
   void record_item(const std::string& name, bool enabled = true, float text_width = 0);
   void record(const std::string& name, const Widget& widget) { widgets_[name] = widget; }
+  /// The same for an item on which others stand.
+  void record_surface(const std::string& name);
   /// Records the current ImGui window as a surface.
   void record_window(const std::string& name);
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "picture/surface_mesh.h"
+#include "scene/placed_solid.h"
 #include "scene/primitives.h"
 #include "scene/transforms.h"
 
@@ -65,7 +66,7 @@ ValuePointer SceneComputation::known_or_made(const ValueKey& key, Make&& make) {
 ValuePointer SceneComputation::placed(const ValuePointer& value, const Transform& by) {
   if (is_identity(by) || !value->error.empty() || value->solid.is_empty()) return value;
   return known_or_made(ValueKey('t').add(value->id).add(by),
-                       [&] { return value_of(transformed(value->solid, by), value->faces); });
+                       [&] { return value_of(placed_solid(value->solid, by), value->faces); });
 }
 
 std::vector<ValuePointer> SceneComputation::placed_children(const Node& node) {

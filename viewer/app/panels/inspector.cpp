@@ -149,7 +149,7 @@ int draw_table(PanelContext& context, const Row& columns, const std::vector<Row>
         hovered = static_cast<int>(r);
     }
     ImGui::EndTable();
-    if (!look.prefix.empty()) context.widgets.record_item(look.id);
+    if (!look.prefix.empty()) context.widgets.record_surface(look.id);
   }
   ImGui::PopFont();
   return hovered;

@@ -21,6 +21,7 @@ class Fields {
     ImGui::PopFont();
     ImGui::SameLine();
     ImGui::TextDisabled("%s", kind_of(node_).c_str());
+    draw_colour();
     triple("Position", "position", node_.placement.position, 0.01, Quantity::length);
     triple("Rotation (degrees)", "rotation", node_.placement.rotation, 0.5, Quantity::angle);
     triple("Scale", "scale", node_.placement.scale, 0.005, Quantity::plain);
