@@ -14,7 +14,7 @@ namespace {
 constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
 
 // What handlers may use: nothing of this is locked.
-std::atomic<bool> requested{false}, deferred{false}, writing_ended{false}, at_terminal{false};
+std::atomic<bool> requested{false}, deferred{false}, all_written{false}, at_terminal{false};
 std::atomic<int> received{SIGINT};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
@@ -27,9 +27,9 @@ void say(const char (&text)[size]) {
 void handle(int signal) {
   received = signal;
   requested = true;
-  if (deferred) return;
+  if (deferred || all_written) return;
   if (at_terminal) say("\r\x1b[K");  // over the progress
-  if (!writing_ended) say("sectile: interrupted; nothing was written\n");
+  say("sectile: interrupted; nothing was written\n");
   std::signal(signal, SIG_DFL);
   std::raise(signal);  // when the handler returns
 }
@@ -62,7 +62,7 @@ Deferral::Deferral() {
 }
 
 Deferral::~Deferral() {
-  writing_ended = true;
+  all_written = true;
   deferred = false;
 }
 

@@ -4,8 +4,7 @@
 namespace sectile::cli {
 
 /// While one exists, SIGINT, SIGTERM and SIGHUP end the program at once and say that nothing was
-/// written, unless it was: there is nothing to clean up. Without one, signals do what they always
-/// do.
+/// written: there is nothing to clean up. Without one, signals do what they always do.
 class Interrupt {
  public:
   Interrupt();
@@ -15,7 +14,8 @@ class Interrupt {
 };
 
 /// While one exists within the life of an Interrupt, the first signal waits for the program to ask;
-/// the second ends the program at once. For moments in which half a file would be left.
+/// the second ends the program at once. For moments in which half a file would be left. Once it is
+/// over, the files are in their places and the first signal finds nothing more to end.
 class Deferral {
  public:
   Deferral();
