@@ -233,8 +233,8 @@ TEST(MovedSolid, AGearOfFortyTurnedTeeth) {
   for (int i = 0; i < 40; ++i) {
     if (i > 0 && i < 39) {
       EXPECT_TRUE(boolean(gear, turned, Operation::intersect).is_empty());
-      // A tooth is a sector with a fin where the turned block does not reach. Both faces between the
-      // sectors vanish, and the inner one of the fin; tops and bottoms become one face each.
+      // A tooth is a sector with a fin where the turned block does not reach. Both faces between
+      // the sectors vanish, and the inner one of the fin; tops and bottoms become one face each.
       const std::size_t apart = gear.counts().faces + turned.counts().faces;
       const Solid both = boolean(gear, turned, Operation::unite);
       EXPECT_EQ(both.counts().shells, 1u);
