@@ -5,6 +5,7 @@
 #include "boolean/tables.h"
 #include "sectile/errors.h"
 #include "storage/geometry_loader.h"
+#include "topology/vertex_cycles.h"
 
 namespace sectile {
 namespace {
@@ -41,7 +42,8 @@ class Assembly {
     for_each_kept_face([&](const Source& from, FaceId f) { add_face(from, f); });
     fix_edge_planes();
     close_open_ends();
-    make_vertices();
+    check_faces();
+    make_vertices(brep_, start_);
     return std::move(glued_);
   }
 
@@ -317,16 +319,9 @@ class Assembly {
     }
   }
 
-  void make_vertices() {
-    for (std::size_t i = 0; i < brep_.half_edge_count(); ++i) {
-      if (!brep_.loop[i].valid()) throw InternalError("an edge of the result has only one face");
-      if (brep_.origin[i].valid()) continue;
-      const HalfEdgeId first{i};
-      const VertexId v(brep_.vertex_count());
-      brep_.point.push_back(start_[i]);
-      brep_.vertex_half_edge.push_back(first);
-      for_each_around(brep_, first, [&](HalfEdgeId h) { brep_.origin[h.value()] = v; });
-    }
+  void check_faces() const {
+    for (const LoopId l : brep_.loop)
+      if (!l.valid()) throw InternalError("an edge of the result has only one face");
   }
 
   const Workspace& w_;

@@ -3,6 +3,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "topology/vertex_cycles.h"
+
 namespace sectile {
 namespace {
 
@@ -14,7 +16,7 @@ class BrepBuilder {
   void run() {
     number_half_edges();
     add_faces();
-    add_vertices();
+    make_vertices(brep_, start_);
   }
 
  private:
@@ -61,22 +63,6 @@ class BrepBuilder {
         brep_.loop[h.value()] = LoopId(l);
         start_[h.value()] = polygons_.corners[i];
       }
-    }
-  }
-
-  // One vertex for each cycle of edges.
-  void add_vertices() {
-    for (std::size_t i = 0; i < brep_.half_edge_count(); ++i) {
-      if (brep_.origin[i].valid()) continue;
-      const HalfEdgeId first{i};
-      const VertexId v(brep_.vertex_count());
-      brep_.point.push_back(start_[i]);
-      brep_.vertex_half_edge.push_back(first);
-      HalfEdgeId h = first;
-      do {
-        brep_.origin[h.value()] = v;
-        h = brep_.around(h);
-      } while (h != first);
     }
   }
 

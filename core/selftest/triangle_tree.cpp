@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "search/morton.h"
 
@@ -65,8 +66,10 @@ std::vector<std::uint32_t> morton_order(const std::vector<Box>& boxes) {
 
 }  // namespace
 
+// No comparison with them holds: boxes without end overlap them no more than others do.
 EightBoxes::EightBoxes() {
-  for (unsigned i = 0; i < 8; ++i) set(i, Box());
+  constexpr float none = std::numeric_limits<float>::quiet_NaN();
+  for (unsigned i = 0; i < 8; ++i) set(i, {{none, none, none}, {none, none, none}});
 }
 
 void EightBoxes::set(unsigned i, const Box& box) {

@@ -5,6 +5,7 @@
 
 #include "geometry/kernel.h"
 #include "storage/geometry_loader.h"
+#include "topology/vertex_cycles.h"
 
 namespace sectile {
 namespace {
@@ -24,7 +25,7 @@ class Joiner {
     for (std::uint32_t s = 0; s < joined_.size(); ++s)
       if (!solid_.slot(s).empty()) add_block(s);
     if (!brep_.edge_plane.empty()) brep_.edge_plane.resize(edges_);
-    make_vertices();
+    make_vertices(brep_, start_);
     if (solid_.touches_itself()) share_points();
   }
 
@@ -86,18 +87,6 @@ class Joiner {
       if (!from.edge_plane[e].valid()) continue;
       if (brep_.edge_plane.empty()) brep_.edge_plane.resize(edges_);
       brep_.edge_plane[Brep::edge_of(joined_[s][2 * e]).value()] = offset.plane(from.edge_plane[e]);
-    }
-  }
-
-  // One for each cycle of edges.
-  void make_vertices() {
-    for (std::size_t i = 0; i < brep_.half_edge_count(); ++i) {
-      if (brep_.origin[i].valid()) continue;
-      const HalfEdgeId first{i};
-      const VertexId v(brep_.vertex_count());
-      brep_.point.push_back(start_[i]);
-      brep_.vertex_half_edge.push_back(first);
-      for_each_around(brep_, first, [&](HalfEdgeId h) { brep_.origin[h.value()] = v; });
     }
   }
 

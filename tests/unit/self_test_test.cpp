@@ -234,6 +234,18 @@ TEST(SelfTest, CrossingCubesAreRefusedInEveryOrder) {
   }
 }
 
+TEST(SelfTest, SolidsBeyondFloatsAreTestedAsOthers) {
+  // 260 triangles: the last eight boxes are not all there.
+  PolygonMesh globe = sphere_mesh({0, 0, 0}, 1e200, 13, 11);
+  EXPECT_TRUE(accepted(globe));
+  const PolygonMesh other = sphere_mesh({1e200, 0, 0}, 1e200, 13, 11);
+  const auto first = static_cast<std::uint32_t>(globe.positions.size());
+  globe.positions.insert(globe.positions.end(), other.positions.begin(), other.positions.end());
+  globe.face_sizes.insert(globe.face_sizes.end(), other.face_sizes.begin(), other.face_sizes.end());
+  for (const std::uint32_t corner : other.indices) globe.indices.push_back(first + corner);
+  EXPECT_FALSE(accepted(globe));
+}
+
 TEST(SelfTest, WhoPromisesIsNotChecked) {
   PolygonMesh mesh;
   add_cube(mesh, 0, 1, 0, false);
