@@ -237,12 +237,18 @@ TEST_F(ProgramInWindow, MovesByKeysAndTypedNumbersCopiesAndPastes) {
   EXPECT_EQ(moved.at(solid).placement.position, wanted) << "the number counts, not the mouse";
   EXPECT_EQ(moved.at(operands_[0]), before.at(operands_[0]));
 
-  ASSERT_TRUE(act("key ctrl+c key ctrl+v"));
+  // Saving let go of the selection.
+  twin.app().open(file_);
+  twin.settle();
+  look_from_the_front(twin);
+  const std::string select =
+      "key Escape key Escape key 1 key Home" + place(place_on(twin, solid)) + " click 1";
+  ASSERT_TRUE(act(select + " key ctrl+c key ctrl+v"));
   const Scene pasted = saved();
   ASSERT_EQ(pasted.size(), 3u);
   EXPECT_EQ(pasted.at(pasted.roots().back()).placement.position, wanted);
   // Given back by Esc: nothing changes.
-  ASSERT_TRUE(act("key g" + place(clicked + glm::dvec2(90, 0)) + " key Escape"));
+  ASSERT_TRUE(act(select + " key g" + place(clicked + glm::dvec2(90, 0)) + " key Escape"));
   EXPECT_EQ(saved(), pasted);
   EXPECT_TRUE(wait_for([&] { return !program.is_running(); }, [] { act("key ctrl+q"); }));
 }
