@@ -58,9 +58,8 @@ Command add_boolean_command(CLI::App& program, Operation operation, Options& opt
   add_input_format(*app, options);
   add_output_format(*app, options);
   add_repair(*app, options);
-  add_validate(*app, options,
-               "check all invariants after every phase, and the results as they are and as they "
-               "were rounded");
+  add_rounding(*app, options);
+  add_validate(*app, options, "check all invariants after every phase, and the results");
   add_reporting(*app, options);
   return {app, [=, &options] { return run(*arguments, operation, options); }};
 }

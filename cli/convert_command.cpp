@@ -72,7 +72,7 @@ Command add_convert_command(CLI::App& program, Options& options) {
              "write positions and polygons as they were read, not triangles (not for STL and 3MF)");
   add_input_format(*app, options);
   add_output_format(*app, options);
-  add_validate(*app, options, "check also the file written");
+  add_rounding(*app, options);
   add_reporting(*app, options);
   return {app, [=, &options] { return run(*arguments, options); }};
 }

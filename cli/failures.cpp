@@ -6,6 +6,7 @@
 #include "interrupt.h"
 #include "json.h"
 #include "problem.h"
+#include "sectile/rounding.h"
 
 namespace sectile::cli {
 namespace {
@@ -51,6 +52,10 @@ ExitCode run_and_tell(const std::string& command, const std::function<ExitCode()
     return failures.tell(error);
   } catch (const UsageError& error) {
     return failures.tell(ExitCode::wrong_usage, "wrong_usage", error.what());
+  } catch (const RoundingFailed& error) {
+    const Vec3& at = error.where();
+    return failures.tell(ExitCode::file_failure, "rounding", error.what(),
+                         {{"where", {at.x, at.y, at.z}}});
   } catch (const FileError& error) {
     return failures.tell(ExitCode::file_failure, "file", error.what());
   } catch (const Cancelled&) {

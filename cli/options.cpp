@@ -47,6 +47,16 @@ void add_input_format(CLI::App& command, Options& options) {
              "obj, stl, off, ply or 3mf; text and binary are told apart by content");
 }
 
+void add_rounding(CLI::App& command, Options& options) {
+  command
+      .add_option_function<double>(
+          "--max-move", [&options](const double& d) { options.max_move = d; },
+          "no corner may move farther when coordinates are rounded; if that cannot be, nothing is "
+          "written (default: any distance, always the least that leaves a legal solid)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("DISTANCE");
+}
+
 void add_output_format(CLI::App& command, Options& options) {
   add_format(command, "--output-format", options.output_format,
              "format of the output whatever its extension (default for -: obj): "

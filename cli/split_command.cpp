@@ -65,9 +65,8 @@ Command add_split_command(CLI::App& program, Options& options) {
             "ABOVE BELOW");
   add_input_format(*app, options);
   add_output_format(*app, options);
-  add_validate(*app, options,
-               "check all invariants after every phase, and the parts as they are and as they were "
-               "rounded");
+  add_rounding(*app, options);
+  add_validate(*app, options, "check all invariants after every phase, and the parts");
   add_reporting(*app, options);
   return {app, [=, &options] { return run(*arguments, options); }};
 }

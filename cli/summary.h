@@ -7,6 +7,7 @@
 
 #include "options.h"
 #include "problem.h"
+#include "sectile/rounding.h"
 #include "sectile/solid.h"
 
 namespace sectile::cli {
@@ -24,9 +25,8 @@ struct Written {
   std::string file;
   Solid solid;
   std::size_t triangles = 0;
-  std::size_t degenerate_triangles = 0;
-  std::optional<Problem> problem;  ///< that rounding made: the file is not a legal solid
-  std::string part;                ///< which of several solids in the file; may be empty
+  RoundingReport rounding;
+  std::string part;  ///< which of several solids in the file; may be empty
 };
 /// "file" or "file#part".
 std::string name_of(const Written& written);

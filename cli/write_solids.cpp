@@ -1,24 +1,13 @@
 #include "write_solids.h"
 
 #include <algorithm>
-#include <sstream>
 
-#include "degenerate.h"
 #include "input.h"
 #include "output.h"
+#include "sectile/rounding.h"
 
 namespace sectile::cli {
 namespace {
-
-// Exact points are rounded when they are written, and that can fold or cross faces.
-std::optional<Problem> problem_of_rounding(const PolygonMesh& mesh) {
-  try {
-    Solid::from_mesh(mesh);
-    return {};
-  } catch (const InvalidSolid& error) {
-    return problems_of(error).front();
-  }
-}
 
 class SolidWriter {
  public:
@@ -32,31 +21,28 @@ class SolidWriter {
     for (std::size_t i = 0; i < solids.size(); ++i) {
       progress_.stage("writing " + name);
       const Solid& solid = solids[i].solid;
-      PolygonMesh mesh = solid.to_mesh();
-      const std::size_t triangles = mesh.face_sizes.size();
-      written.push_back({name,
-                         solid,
-                         triangles,
-                         count_degenerate_triangles(mesh, format),
-                         {},
-                         part_name(solids[i].name, i, solids.size())});
-      model.meshes.push_back({solids[i].name, std::move(mesh)});
+      const std::string part = part_name(solids[i].name, i, solids.size());
+      RoundedMesh rounded = round(part.empty() ? name : name + "#" + part, solid, format);
+      written.push_back({name, solid, rounded.mesh.face_sizes.size(), rounded.report, part});
+      model.meshes.push_back({solids[i].name, std::move(rounded.mesh)});
     }
     outputs.push_back(rendered(name, model, options_));
-    if (options_.validate) validate_last(solids.size());
   }
 
   std::vector<Written> written;
   std::vector<Output> outputs;
 
  private:
-  void validate_last(std::size_t solids) {
-    const auto& [name, content] = outputs.back();
-    std::istringstream file(content);
-    const Model model = read_model(file, output_format(name, options_), name);
-    Written* const first = &written[written.size() - solids];
-    for (std::size_t i = 0; i < solids; ++i)
-      first[i].problem = problem_of_rounding(model.meshes[i].mesh);
+  RoundedMesh round(const std::string& name, const Solid& solid, FileFormat format) const {
+    Rounding rounding;
+    rounding.numbers = numbers_of(format);
+    if (options_.max_move) rounding.max_move = *options_.max_move;
+    rounding.progress = [&](double done) { progress_.fraction(done); };
+    try {
+      return rounded_mesh(solid, rounding);
+    } catch (const RoundingFailed& error) {
+      throw RoundingFailed(name + ": cannot be written: " + error.what(), error.where());
+    }
   }
 
   const Options& options_;
@@ -88,7 +74,7 @@ std::vector<Written> write_faces(const std::string& name, const Solid& solid,
   write_outputs({output});
   const auto triangles = static_cast<std::size_t>(
       std::count(mesh.face_sizes.begin(), mesh.face_sizes.end(), std::uint32_t{3}));
-  return {{name, solid, triangles, 0, {}, {}}};
+  return {{name, solid, triangles, {}, {}}};
 }
 
 }  // namespace sectile::cli

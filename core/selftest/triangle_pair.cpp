@@ -130,10 +130,11 @@ bool TrianglePairs::alternates(std::uint32_t s, int edge_s, std::uint32_t t, int
     return true;
   const bool up_s = edge_s < 0 || forward(s, edge_s, axis),
              up_t = edge_t < 0 || forward(t, edge_t, axis);
-  return material_alternates(
-      kernel_, axis,
-      {SideOfLine{surface_.plane[s], up_s}, SideOfLine{surface_.plane[across_s], !up_s},
-       SideOfLine{surface_.plane[t], up_t}, SideOfLine{surface_.plane[across_t], !up_t}});
+  SideOfLine sides[] = {{surface_.plane[s], up_s},
+                        {surface_.plane[across_s], !up_s},
+                        {surface_.plane[t], up_t},
+                        {surface_.plane[across_t], !up_t}};
+  return sort_around(kernel_, axis, sides);
 }
 
 bool TrianglePairs::forward(std::uint32_t t, int edge, int axis) const {

@@ -34,15 +34,17 @@ class AroundLine {
 
 }  // namespace
 
-bool material_alternates(const Kernel& kernel, int axis, std::array<SideOfLine, 4> sides) {
+bool sort_around(const Kernel& kernel, int axis, std::span<SideOfLine> sides) {
   const AroundLine around(kernel, axis);
   const SideOfLine start = sides[0];
   std::sort(sides.begin() + 1, sides.end(), [&](const SideOfLine& a, const SideOfLine& b) {
     const int in_a = around.quarter(start, a), in_b = around.quarter(start, b);
-    return in_a != in_b ? in_a < in_b : around.turn(a, b) == Sign::positive;
+    if (in_a != in_b) return in_a < in_b;
+    const Sign s = around.turn(a, b);
+    return s != Sign::zero ? s == Sign::positive : a.number < b.number;
   });
-  for (std::size_t i = 0; i < 4; ++i) {
-    const SideOfLine &a = sides[i], &b = sides[i < 3 ? i + 1 : 0];
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const SideOfLine &a = sides[i], &b = sides[i + 1 < sides.size() ? i + 1 : 0];
     if (a.forward == b.forward || around.tied(a, b)) return false;
   }
   return true;

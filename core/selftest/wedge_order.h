@@ -1,7 +1,8 @@
 // Wedges of material around a line.
 #pragma once
 
-#include <array>
+#include <cstdint>
+#include <span>
 
 #include "geometry/kernel.h"
 
@@ -12,10 +13,13 @@ namespace sectile {
 struct SideOfLine {
   PlaneId plane;
   bool forward;
+  std::uint32_t number = 0;  ///< the caller's
 };
 
-/// Does the material alternate with the outside around a line on which four faces end? `axis` is
-/// one on which the line has an extent; forward is the way up on it.
-bool material_alternates(const Kernel& kernel, int axis, std::array<SideOfLine, 4> sides);
+/// Sorts what ends at a line counter-clockwise, seen by one to whom it comes forward, and says
+/// whether the material alternates with the outside around it. If so, it lies between a backward
+/// side and the forward one that follows. `axis` is one on which the line has an extent; forward is
+/// the way up on it.
+bool sort_around(const Kernel& kernel, int axis, std::span<SideOfLine> sides);
 
 }  // namespace sectile

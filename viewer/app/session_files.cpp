@@ -158,7 +158,9 @@ void Session::export_solid(const std::filesystem::path& path) {
                   Solid whole = exported.front();
                   for (std::size_t i = 1; i < exported.size(); ++i)
                     whole = boolean(whole, exported[i], Operation::unite);
-                  write_mesh(path, whole.to_mesh());
+                  Rounding rounding;
+                  rounding.numbers = numbers_of(format_of(path));
+                  write_mesh(path, rounded_mesh(whole, rounding).mesh);
                   return [this, path] {
                     messages.tell("Exported to " + path.filename().string() + ".");
                   };

@@ -8,6 +8,7 @@
 #include "sectile/mesh.h"
 #include "sectile/primitives.h"
 #include "sectile/repair.h"
+#include "sectile/rounding.h"
 #include "sectile/solid.h"
 #include "sectile/trace.h"
 #include "sectile/transform.h"

@@ -1,0 +1,69 @@
+// Exact solids as meshes whose coordinates are numbers of a file.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "sectile/errors.h"
+#include "sectile/files.h"
+#include "sectile/mesh.h"
+#include "sectile/solid.h"
+
+namespace sectile {
+
+/// Which coordinates a mesh may have.
+struct Rounding {
+  enum class Numbers : std::uint8_t {
+    doubles,  ///< any double: OBJ, OFF, PLY, text
+    floats,   ///< doubles that are floats: binary STL, 3MF
+    grid      ///< multiples of `spacing`, as the nearest doubles
+  };
+  Numbers numbers = Numbers::doubles;
+  double spacing = 1;
+  /// No corner of the solid may move farther than this.
+  double max_move = std::numeric_limits<double>::infinity();
+  const std::atomic<bool>* cancel = nullptr;  ///< Cancelled is thrown soon after it is set
+  std::function<void(double)> progress;       ///< is told the part done, by one thread at a time
+};
+
+/// The numbers that files of a format hold.
+Rounding::Numbers numbers_of(FileFormat format);
+
+/// What rounding did to the corners.
+struct RoundingReport {
+  std::size_t corners = 0;    ///< of the solid
+  std::size_t moved = 0;      ///< those whose exact place the mesh cannot have
+  std::size_t displaced = 0;  ///< those that could not go to the nearest place
+  std::size_t merged = 0;     ///< those that went to the place of a neighbour
+  std::size_t flipped = 0;    ///< edges between two triangles replaced by the other diagonal
+  double largest_move = 0, median_move = 0;
+  Vec3 largest_at;
+};
+
+struct RoundedMesh {
+  PolygonMesh mesh;                 ///< triangles
+  std::vector<FaceSource> sources;  ///< per triangle
+  RoundingReport report;
+};
+
+/// A solid cannot be written within the displacement that is allowed.
+class RoundingFailed : public Error {
+ public:
+  RoundingFailed(const std::string& message, const Vec3& where) : Error(message), where_(where) {}
+  const Vec3& where() const { return where_; }
+
+ private:
+  Vec3 where_;
+};
+
+/// Triangles that, read back, are a legal solid: closed and oriented, none without area, no two of
+/// them crossing or lying on each other. Corners go to the nearest place that the numbers allow;
+/// where that would make faces meet, corners beside it, or edges are replaced by other diagonals,
+/// or corners joined with neighbours. All else stays as it is. Throws RoundingFailed, Cancelled.
+RoundedMesh rounded_mesh(const Solid& solid, const Rounding& rounding = {});
+
+}  // namespace sectile

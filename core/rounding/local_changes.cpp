@@ -1,0 +1,328 @@
+#include "rounding/local_changes.h"
+
+#include <algorithm>
+
+#include "sectile/errors.h"
+#include "selftest/wedge_order.h"
+
+namespace sectile {
+namespace {
+
+constexpr std::size_t most_recent = 256;
+
+std::size_t next(std::size_t k) {
+  return k < 2 ? k + 1 : 0;
+}
+
+bool has(const RoundedSurface::Corners& corners, std::uint32_t vertex) {
+  return corners[0] == vertex || corners[1] == vertex || corners[2] == vertex;
+}
+
+// The edge of a triangle that runs from one vertex to another; 3 if there is none.
+std::size_t edge_of(const RoundedSurface::Corners& corners, std::uint32_t from, std::uint32_t to) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (corners[k] == from && corners[next(k)] == to) return k;
+  return 3;
+}
+
+}  // namespace
+
+LocalChanges::LocalChanges(RoundedSurface& rounded, Kernel& kernel)
+    : rounded_(rounded), kernel_(kernel), pairs_(rounded.surface, kernel) {
+  const std::size_t count = rounded.corners.size();
+  is_changed_.assign(count, 0);
+  ever_changed_.assign(count, 0);
+  first_.assign(rounded.point.size() + 1, 0);
+  for (const auto& corners : rounded.corners)
+    for (const std::uint32_t v : corners) ++first_[v + 1];
+  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  around_.resize(3 * count);
+  std::vector<std::uint32_t> at(first_.begin(), first_.end() - 1);
+  for (std::uint32_t t = 0; t < count; ++t)
+    for (const std::uint32_t v : rounded.corners[t]) around_[at[v]++] = t;
+  build_tree();
+}
+
+Box LocalChanges::box(std::uint32_t triangle) const {
+  Bounds bounds;
+  for (const PointId p : rounded_.surface.corners[triangle])
+    bounds.add(rounded_.geometry.position(p));
+  return bounds.box();
+}
+
+void LocalChanges::build_tree() {
+  std::vector<Box> boxes(rounded_.corners.size());
+  for (std::uint32_t t = 0; t < boxes.size(); ++t)
+    if (rounded_.alive[t] != 0) boxes[t] = box(t);
+  tree_ = BoxTree(boxes);
+  for (const std::uint32_t t : recent_) is_changed_[t] = 0;
+  recent_.clear();
+}
+
+std::vector<std::uint32_t> LocalChanges::star(std::uint32_t vertex) const {
+  std::vector<std::uint32_t> found;
+  const auto add = [&](std::uint32_t t) {
+    if (rounded_.alive[t] != 0 && has(rounded_.corners[t], vertex)) found.push_back(t);
+  };
+  for (std::uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i) add(around_[i]);
+  if (const auto more = more_.find(vertex); more != more_.end())
+    for (const std::uint32_t t : more->second) add(t);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+template <class Visit>
+void LocalChanges::for_each_near(std::uint32_t triangle, const Visit& visit) const {
+  const Box own = box(triangle);
+  tree_.query([&](const Box& b) { return b.overlaps(own); },
+              [&](std::uint32_t t) {
+                if (t != triangle && is_changed_[t] == 0 && rounded_.alive[t] != 0) visit(t);
+              });
+  for (const std::uint32_t t : recent_)
+    if (t != triangle && rounded_.alive[t] != 0 && box(t).overlaps(own)) visit(t);
+}
+
+std::size_t LocalChanges::faults(std::span<const std::uint32_t> triangles) const {
+  std::size_t count = 0;
+  for (const std::uint32_t t : triangles) {
+    if (rounded_.alive[t] == 0) continue;
+    if (rounded_.surface.ignored[t] != 0) {
+      count += 2;
+      continue;
+    }
+    for_each_near(t, [&](std::uint32_t other) {
+      const bool both = std::binary_search(triangles.begin(), triangles.end(), other);
+      if (both && other < t) return;
+      if (pairs_.test(std::min(t, other), std::max(t, other))) ++count;
+    });
+  }
+  return count;
+}
+
+std::vector<std::uint32_t> LocalChanges::opponents(std::uint32_t triangle) const {
+  std::vector<std::uint32_t> found;
+  if (rounded_.surface.ignored[triangle] != 0) return found;
+  for_each_near(triangle, [&](std::uint32_t other) {
+    if (pairs_.test(std::min(triangle, other), std::max(triangle, other))) found.push_back(other);
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+void LocalChanges::begin(std::vector<std::uint32_t> triangles) {
+  saved_.clear();
+  moved_from_ = PointId();
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  concerned_ = std::move(triangles);
+  before_ = faults(concerned_);
+  for (const std::uint32_t t : concerned_) save(t);
+  // From now on they are found by the list.
+  recent_before_ = recent_.size();
+  for (const std::uint32_t t : concerned_) {
+    if (is_changed_[t] != 0) continue;
+    is_changed_[t] = 1;
+    recent_.push_back(t);
+  }
+}
+
+void LocalChanges::save(std::uint32_t t) {
+  const auto i = static_cast<std::size_t>(t);
+  saved_.push_back({t, rounded_.corners[i], rounded_.surface.corners[i], rounded_.surface.plane[i],
+                    rounded_.surface.mate[i], rounded_.alive[i], rounded_.surface.ignored[i]});
+}
+
+void LocalChanges::renew(std::uint32_t t) {
+  std::array<PointId, 3>& points = rounded_.surface.corners[t];
+  for (std::size_t k = 0; k < 3; ++k) points[k] = rounded_.point[rounded_.corners[t][k]];
+  rounded_.surface.plane[t] =
+      rounded_.geometry.add_plane(PlaneDefinition::through(points[0], points[1], points[2]));
+  rounded_.surface.settled[t] = 0;
+}
+
+void LocalChanges::kill(std::uint32_t t) {
+  rounded_.alive[t] = 0;
+  rounded_.surface.ignored[t] = 1;
+}
+
+bool LocalChanges::is_flat(std::uint32_t t) const {
+  const PlaneId plane = rounded_.surface.plane[t];
+  for (int axis = 0; axis < 3; ++axis)
+    if (kernel_.normal(plane, axis) != Sign::zero) return false;
+  return true;
+}
+
+// Two triangles with the same vertices and opposite orientations are nothing.
+void LocalChanges::cancel_opposites() {
+  for (std::size_t i = 0; i < concerned_.size(); ++i)
+    for (std::size_t j = i + 1; j < concerned_.size(); ++j) {
+      const std::uint32_t s = concerned_[i], t = concerned_[j];
+      if (rounded_.alive[s] == 0 || rounded_.alive[t] == 0) continue;
+      const auto &a = rounded_.corners[s], &b = rounded_.corners[t];
+      if (edge_of(b, a[1], a[0]) == 3 || edge_of(b, a[2], a[1]) == 3) continue;
+      kill(s);
+      kill(t);
+    }
+}
+
+void LocalChanges::settle() {
+  kernel_.refresh();
+  for (const std::uint32_t t : concerned_)
+    if (rounded_.alive[t] != 0) rounded_.surface.ignored[t] = is_flat(t);
+  // Also of those that lost a neighbour.
+  const std::size_t count = saved_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (rounded_.alive[saved_[i].triangle] != 0) find_mates(saved_[i].triangle);
+    const RoundedSurface::Corners old = saved_[i].corners;
+    for (std::size_t k = 0; k < 3; ++k) pair_edge(old[k], old[next(k)]);
+  }
+}
+
+void LocalChanges::find_mates(std::uint32_t t) {
+  const RoundedSurface::Corners corners = rounded_.corners[t];
+  for (std::size_t k = 0; k < 3; ++k) pair_edge(corners[k], corners[next(k)]);
+}
+
+// Makes mates of the triangles at an edge; of several wedges, each with its own.
+void LocalChanges::pair_edge(std::uint32_t from, std::uint32_t to) {
+  std::vector<Side> forward, backward;
+  for (const std::uint32_t t : star(from)) {
+    if (const std::size_t k = edge_of(rounded_.corners[t], from, to); k < 3)
+      forward.push_back({t, k});
+    if (const std::size_t k = edge_of(rounded_.corners[t], to, from); k < 3)
+      backward.push_back({t, k});
+  }
+  if (forward.size() != backward.size()) throw InternalError("a change has torn the surface open");
+  if (forward.size() > 1) sort_wedges(from, to, forward, backward);
+  for (std::size_t i = 0; i < forward.size(); ++i) {
+    const auto [s, j] = forward[i];
+    const auto [t, k] = backward[i];
+    if (rounded_.surface.mate[s][j] == t && rounded_.surface.mate[t][k] == s) continue;
+    save(s);
+    save(t);
+    rounded_.surface.mate[s][j] = t;
+    rounded_.surface.mate[t][k] = s;
+  }
+}
+
+// Puts sides of one wedge at one place in the lists, if material alternates with the outside.
+void LocalChanges::sort_wedges(std::uint32_t from, std::uint32_t to, std::vector<Side>& forward,
+                               std::vector<Side>& backward) const {
+  int axis = 0;
+  Sign way = Sign::zero;
+  for (int k = 0; k < 3 && way == Sign::zero; ++k) {
+    axis = k;
+    way = kernel_.compare(rounded_.point[from], rounded_.point[to], k);
+  }
+  if (way == Sign::zero) return;
+  const bool up = way == Sign::positive;
+  std::vector<SideOfLine> sides;
+  const auto count = static_cast<std::uint32_t>(forward.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    sides.push_back({rounded_.surface.plane[forward[i].triangle], up, i});
+    sides.push_back({rounded_.surface.plane[backward[i].triangle], !up, count + i});
+  }
+  if (!sort_around(kernel_, axis, sides)) return;
+  std::vector<Side> sorted_forward, sorted_backward;
+  const std::size_t first = sides[0].forward ? 1 : 0;
+  for (std::size_t i = 0; i < sides.size(); i += 2) {
+    const SideOfLine &a = sides[first + i], &b = sides[(first + i + 1) % sides.size()];
+    for (const SideOfLine* side : {&a, &b})
+      (side->number < count ? sorted_forward : sorted_backward)
+          .push_back(side->number < count ? forward[side->number] : backward[side->number - count]);
+  }
+  forward = std::move(sorted_forward);
+  backward = std::move(sorted_backward);
+}
+
+bool LocalChanges::move(std::uint32_t vertex, const Vec3& to) {
+  if (rounded_.position(vertex) == to) return false;
+  begin(star(vertex));
+  moved_vertex_ = vertex;
+  moved_from_ = rounded_.point[vertex];
+  rounded_.point[vertex] = rounded_.geometry.add_point(to);
+  for (const std::uint32_t t : concerned_) renew(t);
+  settle();
+  return true;
+}
+
+bool LocalChanges::merge(std::uint32_t vertex, std::uint32_t into) {
+  if (vertex == into) return false;
+  std::vector<std::uint32_t> both = star(vertex);
+  const std::vector<std::uint32_t> others = star(into);
+  both.insert(both.end(), others.begin(), others.end());
+  begin(std::move(both));
+  std::vector<std::uint32_t>& more = more_[into];
+  for (const std::uint32_t t : concerned_) {
+    RoundedSurface::Corners& corners = rounded_.corners[t];
+    if (!has(corners, vertex)) continue;
+    const bool vanishes = has(corners, into);
+    std::replace(corners.begin(), corners.end(), vertex, into);
+    if (vanishes) {
+      kill(t);
+    } else {
+      renew(t);
+      more.push_back(t);
+    }
+  }
+  cancel_opposites();
+  settle();
+  return true;
+}
+
+bool LocalChanges::flip(std::uint32_t s, std::size_t j) {
+  const std::uint32_t t = rounded_.surface.mate[s][j];
+  const std::uint32_t a = rounded_.corners[s][j], b = rounded_.corners[s][next(j)],
+                      c = rounded_.corners[s][next(next(j))];
+  const std::size_t k = edge_of(rounded_.corners[t], b, a);
+  if (k == 3 || t == s) return false;
+  const std::uint32_t d = rounded_.corners[t][next(next(k))];
+  if (c == d) return false;
+  // The other diagonal must be no edge yet.
+  for (const std::uint32_t around : star(c))
+    if (has(rounded_.corners[around], d)) return false;
+  begin({s, t});
+  rounded_.corners[s] = {a, d, c};
+  rounded_.corners[t] = {d, b, c};
+  more_[c].push_back(t);
+  more_[d].push_back(s);
+  renew(s);
+  renew(t);
+  settle();
+  return true;
+}
+
+void LocalChanges::remove(std::vector<std::uint32_t> triangles) {
+  begin(std::move(triangles));
+  for (const std::uint32_t t : concerned_) kill(t);
+  settle();
+  keep();
+}
+
+void LocalChanges::keep() {
+  for (const Saved& saved : saved_) {
+    if (ever_changed_[saved.triangle] != 0) continue;
+    ever_changed_[saved.triangle] = 1;
+    changed_.push_back(saved.triangle);
+  }
+  saved_.clear();
+  if (recent_.size() > most_recent) build_tree();
+}
+
+void LocalChanges::undo() {
+  for (auto saved = saved_.rbegin(); saved != saved_.rend(); ++saved) {
+    const std::uint32_t t = saved->triangle;
+    rounded_.corners[t] = saved->corners;
+    rounded_.surface.corners[t] = saved->points;
+    rounded_.surface.plane[t] = saved->plane;
+    rounded_.surface.mate[t] = saved->mate;
+    rounded_.alive[t] = saved->alive;
+    rounded_.surface.ignored[t] = saved->ignored;
+  }
+  saved_.clear();
+  if (moved_from_.valid()) rounded_.point[moved_vertex_] = moved_from_;
+  for (; recent_.size() > recent_before_; recent_.pop_back()) is_changed_[recent_.back()] = 0;
+}
+
+}  // namespace sectile

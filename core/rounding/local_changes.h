@@ -1,0 +1,91 @@
+// Tentative changes of a rounded surface: a vertex moves, goes to another one, or an edge becomes
+// the other diagonal. What they make better or worse is counted exactly.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "rounding/rounded_surface.h"
+#include "search/box_tree.h"
+#include "selftest/triangle_pair.h"
+
+namespace sectile {
+
+class LocalChanges {
+ public:
+  LocalChanges(RoundedSurface& rounded, Kernel& kernel);
+
+  /// The living triangles around a vertex.
+  std::vector<std::uint32_t> star(std::uint32_t vertex) const;
+  /// How many things are wrong with these triangles: pairs with any other that meet as they must
+  /// not, and, twice, triangles without area.
+  std::size_t faults(std::span<const std::uint32_t> triangles) const;
+  /// Those with which a triangle meets as it must not.
+  std::vector<std::uint32_t> opponents(std::uint32_t triangle) const;
+
+  /// One change at a time, to be kept or undone. False if there is no such change.
+  bool move(std::uint32_t vertex, const Vec3& to);
+  bool merge(std::uint32_t vertex, std::uint32_t into);
+  /// Edge k of a triangle.
+  bool flip(std::uint32_t triangle, std::size_t k);
+  /// The triangles that the change concerns, and what was wrong with them before.
+  std::span<const std::uint32_t> concerned() const { return concerned_; }
+  std::size_t faults_before() const { return before_; }
+  std::size_t faults_now() const { return faults(concerned_); }
+  void keep();
+  void undo();
+  /// Takes a whole shell away.
+  void remove(std::vector<std::uint32_t> triangles);
+
+  /// Triangles that were changed and kept, each once.
+  const std::vector<std::uint32_t>& changed() const { return changed_; }
+
+ private:
+  struct Side {
+    std::uint32_t triangle;
+    std::size_t edge;
+  };
+  struct Saved {
+    std::uint32_t triangle;
+    RoundedSurface::Corners corners;
+    std::array<PointId, 3> points;
+    PlaneId plane;
+    std::array<std::uint32_t, 3> mate;
+    std::uint8_t alive, ignored;
+  };
+
+  void begin(std::vector<std::uint32_t> triangles);
+  void save(std::uint32_t triangle);
+  void settle();
+  void renew(std::uint32_t triangle);
+  void kill(std::uint32_t triangle);
+  void cancel_opposites();
+  void find_mates(std::uint32_t triangle);
+  void pair_edge(std::uint32_t from, std::uint32_t to);
+  void sort_wedges(std::uint32_t from, std::uint32_t to, std::vector<Side>& forward,
+                   std::vector<Side>& backward) const;
+  bool is_flat(std::uint32_t triangle) const;
+  template <class Visit>
+  void for_each_near(std::uint32_t triangle, const Visit& visit) const;
+  Box box(std::uint32_t triangle) const;
+  void build_tree();
+
+  RoundedSurface& rounded_;
+  Kernel& kernel_;
+  TrianglePairs pairs_;
+  BoxTree tree_;
+  std::vector<std::uint8_t> is_changed_;         // since the tree was built
+  std::vector<std::uint32_t> recent_, changed_;  // the same as lists; the second one of all time
+  std::vector<std::uint8_t> ever_changed_;
+  std::vector<std::uint32_t> first_, around_;  // triangles around each vertex, at first
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> more_;  // and those that came
+  std::vector<std::uint32_t> concerned_;
+  std::vector<Saved> saved_;
+  std::uint32_t moved_vertex_ = 0;
+  PointId moved_from_;
+  std::size_t before_ = 0, recent_before_ = 0;
+};
+
+}  // namespace sectile

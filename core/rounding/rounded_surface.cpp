@@ -1,0 +1,70 @@
+#include "rounding/rounded_surface.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+#include "rounding/conforming.h"
+#include "selftest/solid_surface.h"
+
+namespace sectile {
+namespace {
+
+constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+void require_finite(const Vec3& rounded, const Vec3& exact) {
+  if (!std::isfinite(rounded.x) || !std::isfinite(rounded.y) || !std::isfinite(rounded.z))
+    throw RoundingFailed("a coordinate is too large for the numbers of the mesh", exact);
+}
+
+}  // namespace
+
+RoundedSurface::RoundedSurface(const SolidData& data, const RoundingGrid& grid) {
+  const Brep& brep = data.brep();
+  const Kernel kernel(data.geometry());
+  std::vector<FaceId> crossing;
+  surface = surface_of(brep, kernel, crossing);
+  if (!crossing.empty()) throw InternalError("the edges of a solid's face cross each other");
+  make_conforming(surface, kernel);
+  std::vector<std::uint32_t> number(data.geometry().positions.size(), none);
+  std::vector<std::uint8_t> has_moved;
+  corners.resize(surface.size());
+  source.resize(surface.size());
+  alive.assign(surface.size(), 1);
+  for (std::size_t t = 0; t < surface.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PointId p = surface.corners[t][k];
+      std::uint32_t& v = number[p.value()];
+      if (v == none) {
+        v = static_cast<std::uint32_t>(origin.size());
+        const Vec3& exact = data.geometry().position(p);
+        const Vec3 rounded = grid.nearest(exact);
+        require_finite(rounded, exact);
+        origin.push_back(exact);
+        is_exact.push_back(data.geometry().is_explicit(p));
+        point.push_back(geometry.add_point(rounded));
+        has_moved.push_back(!is_exact.back() || !(rounded == exact));
+        if (has_moved.back() != 0) moved_ = true;
+      }
+      corners[t][k] = v;
+      surface.corners[t][k] = point[v];
+    }
+  geometry.planes.resize(surface.size());
+  surface.settled.resize(surface.size());
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, surface.size(), 4096), [&](const auto& range) {
+        for (std::size_t t = range.begin(); t < range.end(); ++t) {
+          source[t] = brep.source[surface.face[t]];
+          const auto& c = surface.corners[t];
+          geometry.planes[t] = PlaneDefinition::through(c[0], c[1], c[2]);
+          surface.plane[t] = PlaneId(t);
+          surface.face[t] = static_cast<std::uint32_t>(t);
+          const Corners& v = corners[t];
+          surface.settled[t] = !(has_moved[v[0]] || has_moved[v[1]] || has_moved[v[2]]);
+        }
+      });
+  surface.doubtful.clear();
+}
+
+}  // namespace sectile

@@ -1,0 +1,40 @@
+// A solid's triangles with rounded corners.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/kernel.h"
+#include "rounding/rounding_grid.h"
+#include "selftest/self_test.h"
+#include "selftest/triangle_surface.h"
+#include "storage/solid_data.h"
+
+namespace sectile {
+
+/// Vertices are places of the solid's corners, numbered through. Each triangle has a plane of its
+/// own through its rounded corners.
+struct RoundedSurface {
+  using Corners = std::array<std::uint32_t, 3>;
+
+  RoundedSurface(const SolidData& data, const RoundingGrid& grid);
+
+  std::vector<Vec3> origin;            ///< per vertex: the place, rounded to doubles
+  std::vector<std::uint8_t> is_exact;  ///< per vertex: `origin` is the place
+  std::vector<PointId> point;          ///< per vertex: where it is now
+  std::vector<Corners> corners;        ///< per triangle: vertices
+  std::vector<FaceSource> source;      ///< per triangle
+  std::vector<std::uint8_t> alive;     ///< per triangle
+  Geometry geometry;
+  TriangleSurface surface;
+
+  const Vec3& position(std::uint32_t vertex) const { return geometry.position(point[vertex]); }
+  /// Has rounding moved any vertex?
+  bool anything_moved() const { return moved_; }
+
+ private:
+  bool moved_ = false;
+};
+
+}  // namespace sectile

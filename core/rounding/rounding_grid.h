@@ -1,0 +1,24 @@
+// The numbers that coordinates may be.
+#pragma once
+
+#include "sectile/mesh.h"
+#include "sectile/rounding.h"
+
+namespace sectile {
+
+class RoundingGrid {
+ public:
+  /// Throws Error if the spacing is no positive number.
+  explicit RoundingGrid(const Rounding& rounding);
+
+  double nearest(double value) const;
+  Vec3 nearest(const Vec3& p) const { return {nearest(p.x), nearest(p.y), nearest(p.z)}; }
+  /// The distance between numbers of the size of the point's largest coordinate.
+  double step(const Vec3& p) const;
+
+ private:
+  Rounding::Numbers numbers_;
+  double spacing_;
+};
+
+}  // namespace sectile

@@ -1,0 +1,300 @@
+#include "rounding/rounding_repair.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <unordered_set>
+
+#include "import/diagnosis.h"
+
+namespace sectile {
+namespace {
+
+// How far from its place a vertex may go, in steps, before the attempt is given up.
+constexpr double greatest_reach = 0x1p10;
+// Of all that meets a triangle, so many are looked at.
+constexpr std::size_t most_opponents = 4;
+
+Vec3 minus(const Vec3& a, const Vec3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double dot(const Vec3& a, const Vec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+double length(const Vec3& a) {
+  return std::hypot(a.x, a.y, a.z);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> faulty_triangles(RoundedSurface& rounded, const Kernel& kernel,
+                                            const SelfTestControl& control) {
+  TriangleSurface& surface = rounded.surface;
+  surface.ignored.resize(surface.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.size(), 4096),
+                    [&](const auto& range) {
+                      for (std::size_t t = range.begin(); t < range.end(); ++t) {
+                        const PlaneId plane = surface.plane[t];
+                        const bool flat = kernel.normal(plane, 0) == Sign::zero &&
+                                          kernel.normal(plane, 1) == Sign::zero &&
+                                          kernel.normal(plane, 2) == Sign::zero;
+                        surface.ignored[t] = rounded.alive[t] == 0 || flat;
+                      }
+                    });
+  std::vector<std::uint32_t> faulty;
+  for (std::uint32_t t = 0; t < surface.size(); ++t)
+    if (surface.ignored[t] != 0 && rounded.alive[t] != 0) faulty.push_back(t);
+  for (const SelfContact& c : self_contacts(surface, kernel, control)) {
+    faulty.push_back(c.first);
+    faulty.push_back(c.second);
+  }
+  std::sort(faulty.begin(), faulty.end());
+  faulty.erase(std::unique(faulty.begin(), faulty.end()), faulty.end());
+  return faulty;
+}
+
+void RoundingRepair::run(std::vector<std::uint32_t> faulty) {
+  unite_places(faulty);
+  double reach = 1;
+  while (!faulty.empty()) {
+    if (options_.cancel && options_.cancel->load(std::memory_order_relaxed)) throw Cancelled();
+    bool better = false;
+    std::vector<std::uint32_t> left;
+    for (const std::uint32_t t : faulty) {
+      const std::uint32_t one[] = {t};
+      // A triangle without area counts as long as it lives.
+      while (changes_.faults(one) > 0 && improve(t, reach)) better = true;
+      if (changes_.faults(one) == 0) continue;
+      left.push_back(t);
+      for (const std::uint32_t other : changes_.opponents(t)) left.push_back(other);
+    }
+    std::sort(left.begin(), left.end());
+    left.erase(std::unique(left.begin(), left.end()), left.end());
+    faulty = std::move(left);
+    if (!better) reach *= 2;
+    if (reach <= greatest_reach || faulty.empty()) continue;
+    const Vec3& where = rounded_.position(rounded_.corners[faulty.front()][0]);
+    throw RoundingFailed("the faces near " + in_words(where) +
+                             " cannot be kept apart in these numbers within the displacement "
+                             "allowed; allow more, or use finer numbers",
+                         where);
+  }
+}
+
+// Where sheets have come to lie on each other, they cancel once their vertices are the same.
+void RoundingRepair::unite_places(const std::vector<std::uint32_t>& faulty) {
+  std::vector<std::uint32_t> vertices;
+  for (const std::uint32_t t : faulty)
+    if (rounded_.alive[t] != 0)
+      vertices.insert(vertices.end(), rounded_.corners[t].begin(), rounded_.corners[t].end());
+  const auto key = [&](std::uint32_t v) {
+    const Vec3& p = rounded_.position(v);
+    return std::tuple(p.x + 0.0, p.y + 0.0, p.z + 0.0, v);
+  };
+  std::sort(vertices.begin(), vertices.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (std::size_t i = 0, first = 0; i < vertices.size(); ++i) {
+    if (!(rounded_.position(vertices[i]) == rounded_.position(vertices[first]))) first = i;
+    if (i == first) continue;
+    changes_.merge(vertices[i], vertices[first]);
+    changes_.keep();
+    gone_to_[vertices[i]] = vertices[first];
+    ++merged_;
+  }
+}
+
+std::vector<std::uint32_t> RoundingRepair::shell_of(std::uint32_t triangle) const {
+  std::vector<std::uint32_t> shell{triangle};
+  std::unordered_set<std::uint32_t> seen{triangle};
+  for (std::size_t i = 0; i < shell.size(); ++i)
+    for (const std::uint32_t mate : rounded_.surface.mate[shell[i]])
+      if (seen.insert(mate).second) shell.push_back(mate);
+  return shell;
+}
+
+Sign RoundingRepair::volume(const std::vector<std::uint32_t>& shell) const {
+  Dyadic sum;
+  for (const std::uint32_t t : shell) {
+    const Vec3 &a = rounded_.position(rounded_.corners[t][0]),
+               &b = rounded_.position(rounded_.corners[t][1]),
+               &c = rounded_.position(rounded_.corners[t][2]);
+    const Dyadic rows[3][3] = {{Dyadic(a.x), Dyadic(a.y), Dyadic(a.z)},
+                               {Dyadic(b.x), Dyadic(b.y), Dyadic(b.z)},
+                               {Dyadic(c.x), Dyadic(c.y), Dyadic(c.z)}};
+    sum += determinant(rows[0], rows[1], rows[2]);
+  }
+  return sum.sign();
+}
+
+// Less than a few steps, as the quotient of volume and area says.
+bool RoundingRepair::is_thin(const std::vector<std::uint32_t>& shell) const {
+  const Vec3& o = rounded_.position(rounded_.corners[shell[0]][0]);
+  double volume = 0, area = 0, step = 0;
+  for (const std::uint32_t t : shell) {
+    const Vec3 a = minus(rounded_.position(rounded_.corners[t][0]), o),
+               b = minus(rounded_.position(rounded_.corners[t][1]), o),
+               c = minus(rounded_.position(rounded_.corners[t][2]), o);
+    volume += dot(a, cross(b, c)) / 6;
+    area += length(cross(minus(b, a), minus(c, a))) / 2;
+    for (const std::uint32_t v : rounded_.corners[t])
+      step = std::max(step, grid_.step(rounded_.position(v)));
+  }
+  return std::abs(volume) <= 8 * step * area;
+}
+
+bool RoundingRepair::turn_shell(std::uint32_t triangle) {
+  std::vector<std::uint32_t> shell = shell_of(triangle);
+  if (!is_thin(shell)) return false;
+  const Sign wrong = volume(shell);
+  constexpr std::size_t small = 64;
+  if (shell.size() <= small) {
+    std::vector<std::uint32_t> vertices;
+    for (const std::uint32_t t : shell)
+      vertices.insert(vertices.end(), rounded_.corners[t].begin(), rounded_.corners[t].end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    for (double reach = 1; reach <= 4; reach *= 2)
+      for (const Move& m : moves(vertices, reach)) {
+        if (!changes_.move(m.vertex, m.to)) continue;
+        if (changes_.faults_now() == 0 && volume(shell) == -wrong) {
+          changes_.keep();
+          return true;
+        }
+        changes_.undo();
+      }
+  }
+  changes_.remove(std::move(shell));
+  return true;
+}
+
+double RoundingRepair::distance(std::uint32_t vertex, const Vec3& to) const {
+  return length(minus(to, rounded_.origin[vertex]));
+}
+
+bool RoundingRepair::may_go(std::uint32_t vertex, const Vec3& to) const {
+  return distance(vertex, to) <= options_.max_move;
+}
+
+std::vector<std::uint32_t> RoundingRepair::vertices_near(std::uint32_t triangle) const {
+  std::vector<std::uint32_t> vertices(rounded_.corners[triangle].begin(),
+                                      rounded_.corners[triangle].end());
+  std::vector<std::uint32_t> others = changes_.opponents(triangle);
+  others.resize(std::min(others.size(), most_opponents));
+  for (const std::uint32_t other : others)
+    vertices.insert(vertices.end(), rounded_.corners[other].begin(), rounded_.corners[other].end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+// Keeps a change that leaves less wrong.
+bool RoundingRepair::accept() {
+  if (changes_.faults_now() < changes_.faults_before()) {
+    changes_.keep();
+    return true;
+  }
+  changes_.undo();
+  return false;
+}
+
+bool RoundingRepair::improve(std::uint32_t triangle, double reach) {
+  if (try_flips(triangle, reach)) return true;
+  const std::vector<std::uint32_t> vertices = vertices_near(triangle);
+  for (const std::uint32_t other : changes_.opponents(triangle))
+    if (try_flips(other, reach)) return true;
+  return try_merges(vertices, reach) || try_moves(vertices, reach);
+}
+
+// How far two lines are apart.
+double RoundingRepair::gap(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
+  const Vec3 n = cross(minus(b, a), minus(d, c));
+  const double size = length(n);
+  return size > 0 ? std::abs(dot(n, minus(c, a))) / size : 0;
+}
+
+bool RoundingRepair::try_flips(std::uint32_t s, double reach) {
+  if (rounded_.alive[s] == 0) return false;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const std::uint32_t t = rounded_.surface.mate[s][j];
+    if (rounded_.alive[t] == 0) continue;
+    const auto& corners = rounded_.corners[s];
+    const Vec3 &a = rounded_.position(corners[j]), &b = rounded_.position(corners[(j + 1) % 3]),
+               &c = rounded_.position(corners[(j + 2) % 3]);
+    std::uint32_t far = corners[j];
+    for (const std::uint32_t v : rounded_.corners[t])
+      if (v != corners[j] && v != corners[(j + 1) % 3]) far = v;
+    const Vec3& d = rounded_.position(far);
+    const double step = std::max(grid_.step(a), grid_.step(c));
+    if (!(rounded_.source[s] == rounded_.source[t]) && gap(a, b, c, d) > 2 * reach * step) continue;
+    const FaceSource of_s = rounded_.source[s], of_t = rounded_.source[t];
+    if (!changes_.flip(s, j)) continue;
+    if (!accept()) continue;
+    ++flipped_;
+    // Of two faces, the one with the larger triangle there takes both.
+    const double area_s = length(cross(minus(b, a), minus(c, a))),
+                 area_t = length(cross(minus(b, a), minus(d, a)));
+    rounded_.source[s] = rounded_.source[t] = area_s > area_t ? of_s : of_t;
+    return true;
+  }
+  return false;
+}
+
+bool RoundingRepair::try_merges(const std::vector<std::uint32_t>& vertices, double reach) {
+  struct Pair {
+    double distance;
+    std::uint32_t from, into;
+  };
+  std::vector<Pair> pairs;
+  for (const std::uint32_t u : vertices)
+    for (const std::uint32_t v : vertices) {
+      if (u == v) continue;
+      const Vec3& to = rounded_.position(v);
+      const double away = distance(u, to);
+      if (away <= 2 * reach * grid_.step(to) && may_go(u, to)) pairs.push_back({away, u, v});
+    }
+  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return std::tie(a.distance, a.from, a.into) < std::tie(b.distance, b.from, b.into);
+  });
+  for (const Pair& pair : pairs) {
+    if (!changes_.merge(pair.from, pair.into) || !accept()) continue;
+    gone_to_[pair.from] = pair.into;
+    ++merged_;
+    return true;
+  }
+  return false;
+}
+
+// To the neighbours of each vertex, the nearest to its place first.
+std::vector<RoundingRepair::Move> RoundingRepair::moves(const std::vector<std::uint32_t>& vertices,
+                                                        double reach) const {
+  std::vector<Move> moves;
+  for (const std::uint32_t v : vertices) {
+    const Vec3 at = rounded_.position(v);
+    const double step = reach * grid_.step(at);
+    for (int i = -1; i <= 1; ++i)
+      for (int j = -1; j <= 1; ++j)
+        for (int k = -1; k <= 1; ++k) {
+          if (i == 0 && j == 0 && k == 0) continue;
+          const Vec3 to = grid_.nearest({at.x + i * step, at.y + j * step, at.z + k * step});
+          if (may_go(v, to)) moves.push_back({distance(v, to), v, to});
+        }
+  }
+  std::stable_sort(moves.begin(), moves.end(),
+                   [](const Move& a, const Move& b) { return a.distance < b.distance; });
+  return moves;
+}
+
+bool RoundingRepair::try_moves(const std::vector<std::uint32_t>& vertices, double reach) {
+  for (const Move& m : moves(vertices, reach))
+    if (changes_.move(m.vertex, m.to) && accept()) return true;
+  return false;
+}
+
+}  // namespace sectile

@@ -1,0 +1,72 @@
+// Makes a rounded surface legal where rounding made it meet itself.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "rounding/local_changes.h"
+#include "rounding/rounded_surface.h"
+#include "rounding/rounding_grid.h"
+
+namespace sectile {
+
+/// Triangles of which something is wrong, ascending.
+std::vector<std::uint32_t> faulty_triangles(RoundedSurface& rounded, const Kernel& kernel,
+                                            const SelfTestControl& control);
+
+class RoundingRepair {
+ public:
+  RoundingRepair(RoundedSurface& rounded, Kernel& kernel, const RoundingGrid& grid,
+                 const Rounding& options)
+      : rounded_(rounded), changes_(rounded, kernel), grid_(grid), options_(options) {
+    gone_to_.resize(rounded.point.size());
+    for (std::uint32_t v = 0; v < gone_to_.size(); ++v) gone_to_[v] = v;
+  }
+
+  /// Changes what is near these triangles until nothing is wrong with them. Throws RoundingFailed.
+  void run(std::vector<std::uint32_t> faulty);
+
+  /// The vertex to which a vertex was joined, at last.
+  std::uint32_t gone_to(std::uint32_t vertex) const {
+    while (gone_to_[vertex] != vertex) vertex = gone_to_[vertex];
+    return vertex;
+  }
+  /// Turns the shell of a triangle, which rounding turned inside out, back again, or removes it if
+  /// it is too thin for that. False if it is not thin at all.
+  bool turn_shell(std::uint32_t triangle);
+  std::size_t merged() const { return merged_; }
+  std::size_t flipped() const { return flipped_; }
+  const std::vector<std::uint32_t>& changed() const { return changes_.changed(); }
+
+ private:
+  struct Move {
+    double distance;
+    std::uint32_t vertex;
+    Vec3 to;
+  };
+
+  std::vector<Move> moves(const std::vector<std::uint32_t>& vertices, double reach) const;
+  void unite_places(const std::vector<std::uint32_t>& faulty);
+  bool improve(std::uint32_t triangle, double reach);
+  bool try_flips(std::uint32_t triangle, double reach);
+  bool try_merges(const std::vector<std::uint32_t>& vertices, double reach);
+  bool try_moves(const std::vector<std::uint32_t>& vertices, double reach);
+  bool accept();
+  std::vector<std::uint32_t> shell_of(std::uint32_t triangle) const;
+  bool is_thin(const std::vector<std::uint32_t>& shell) const;
+  Sign volume(const std::vector<std::uint32_t>& shell) const;
+  std::vector<std::uint32_t> vertices_near(std::uint32_t triangle) const;
+  double distance(std::uint32_t vertex, const Vec3& to) const;
+  bool may_go(std::uint32_t vertex, const Vec3& to) const;
+  double gap(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const;
+
+  RoundedSurface& rounded_;
+  LocalChanges changes_;
+  const RoundingGrid& grid_;
+  const Rounding& options_;
+  std::vector<std::uint32_t> gone_to_;
+  std::size_t merged_ = 0, flipped_ = 0;
+};
+
+}  // namespace sectile

@@ -1,0 +1,1 @@
+sectile_test(rounding_test SOURCES rounding_test.cpp)

@@ -1,0 +1,136 @@
+// What is written is legal when it is read back, says a checker that knows nothing of the library.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "sectile/rounding.h"
+#include "sectile/sectile.h"
+#include "unit/exact_mesh_checker.h"
+
+namespace sectile {
+namespace {
+
+using test::ExactMeshChecker;
+using Numbers = Rounding::Numbers;
+
+Rounding to(Numbers numbers, double spacing = 1) {
+  Rounding rounding;
+  rounding.numbers = numbers;
+  rounding.spacing = spacing;
+  return rounding;
+}
+
+// A unit in the last place of the largest coordinate.
+double unit_of(const PolygonMesh& mesh, Numbers numbers) {
+  double size = 0;
+  for (const Vec3& p : mesh.positions)
+    size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return numbers == Numbers::floats ? size * 0x1p-23 : size * 0x1p-52;
+}
+
+RoundedMesh expect_legal(const Solid& solid, const Rounding& rounding) {
+  RoundedMesh rounded = rounded_mesh(solid, rounding);
+  EXPECT_EQ(ExactMeshChecker(rounded.mesh).verdict(), "");
+  EXPECT_EQ(rounded.sources.size(), rounded.mesh.face_sizes.size());
+  if (rounding.numbers == Numbers::floats) {
+    for (const Vec3& p : rounded.mesh.positions)
+      for (const double c : {p.x, p.y, p.z})
+        EXPECT_EQ(c, static_cast<double>(static_cast<float>(c)));
+  }
+  if (rounding.numbers != Numbers::grid) {
+    EXPECT_LE(rounded.report.median_move, 1.8 * unit_of(rounded.mesh, rounding.numbers));
+  }
+  return rounded;
+}
+
+void expect_legal_in_all_numbers(const Solid& solid) {
+  expect_legal(solid, to(Numbers::doubles));
+  expect_legal(solid, to(Numbers::floats));
+}
+
+Solid turned(const Solid& solid, double angle, double tilt = 0.3) {
+  return transformed(solid, Transform::rotation_degrees({1, tilt, 0.7}, angle * 57.29577951308232));
+}
+
+// What is left of a difference may be thinner than floats can tell: then there is no mesh.
+void expect_legal_or_none(const Solid& solid, const Rounding& rounding) {
+  try {
+    expect_legal(solid, rounding);
+  } catch (const RoundingFailed& error) {
+    EXPECT_NE(std::string(error.what()).find("near ("), std::string::npos) << error.what();
+  }
+}
+
+class NearlyTheSame : public testing::TestWithParam<int> {
+ protected:
+  static void expect_legal_results(const Solid& a, const Solid& b, int digits) {
+    for (const Operation operation : {Operation::unite, Operation::intersect})
+      expect_legal_in_all_numbers(boolean(a, b, operation));
+    const Solid rest = boolean(a, b, Operation::subtract);
+    if (digits < 14) expect_legal(rest, to(Numbers::doubles));
+    if (digits < 6)
+      expect_legal(rest, to(Numbers::floats));
+    else if (digits < 8)
+      expect_legal_or_none(rest, to(Numbers::floats));
+  }
+};
+
+TEST_P(NearlyTheSame, SpheresBesideThemselves) {
+  const Solid a = sphere(1, 16, 8);
+  expect_legal_results(a, turned(a, std::pow(10, -GetParam())), GetParam());
+}
+
+TEST_P(NearlyTheSame, CubesBesideThemselves) {
+  const Solid a = block({-1, -1, -1}, {1, 1, 1});
+  expect_legal_results(a, turned(a, std::pow(10, -GetParam())), GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Rounding, NearlyTheSame, testing::Values(3, 5, 7, 9, 11, 13, 15));
+
+TEST(Rounding, ChainsOfTurnedCubes) {
+  const Solid cube = block({-1, -1, -1}, {1, 1, 1});
+  Solid all = cube;
+  for (int i = 1; i <= 12; ++i) {
+    SCOPED_TRACE(i);
+    all = boolean(all, turned(cube, 0.37 * i, 0.1 * i),
+                  i % 3 == 0 ? Operation::intersect : Operation::unite);
+    expect_legal_in_all_numbers(all);
+  }
+}
+
+TEST(Rounding, WhatHasItsPlaceStays) {
+  const Solid ball = sphere(1, 24, 12);
+  const RoundedMesh rounded = expect_legal(ball, to(Numbers::doubles));
+  EXPECT_EQ(rounded.report.moved, 0u);
+  EXPECT_EQ(rounded.report.largest_move, 0);
+  EXPECT_EQ(Solid::from_mesh(rounded.mesh), ball);
+}
+
+TEST(Rounding, CoarseGrids) {
+  const Solid ball = sphere(10, 24, 12);
+  for (const double spacing : {0.25, 0.5, 1.0}) {
+    SCOPED_TRACE(spacing);
+    const RoundedMesh rounded = expect_legal(ball, to(Numbers::grid, spacing));
+    for (const Vec3& p : rounded.mesh.positions)
+      for (const double c : {p.x, p.y, p.z}) EXPECT_EQ(std::nearbyint(c / spacing) * spacing, c);
+  }
+}
+
+TEST(Rounding, BoundsTheDisplacement) {
+  Rounding rounding = to(Numbers::grid, 0.5);
+  rounding.max_move = 1e-3;
+  EXPECT_THROW(rounded_mesh(sphere(10, 24, 12), rounding), RoundingFailed);
+}
+
+TEST(Rounding, CornersInEdgesOfTheirFaceAreCornersOfTheNeighbour) {
+  // The prongs of the upper block's notch end on an edge of the union's face.
+  const Solid plate = block({0, 0, 0}, {3, 3, 1});
+  const Solid notch = extrude({{{1, 1}, {1.5, 0}, {2, 1}}, {}}, 1);
+  const Solid cut = boolean(plate, notch, Operation::subtract);
+  expect_legal_in_all_numbers(cut);
+  expect_legal_in_all_numbers(turned(cut, 0.4));
+}
+
+}  // namespace
+}  // namespace sectile
