@@ -150,6 +150,10 @@ ConstructedPoint Kernel::construct(const Construction& how) const {
   return {position, equals(point, position)};
 }
 
+// Far more than a double near zero is off; products with it are normal doubles, as those with the
+// least one are not, and thereby many times as fast.
+constexpr double underflow = 0x1p-900;
+
 Estimate Kernel::estimate(PointId point, PlaneId plane) const {
   const PlaneValue& s = value(plane);
   const Vec3& p = geometry_.position(point);
@@ -159,7 +163,7 @@ Estimate Kernel::estimate(PointId point, PlaneId plane) const {
   const double sum = std::abs(x) + std::abs(y) + std::abs(z) + std::abs(s.d);
   const double size = std::abs(p.x) + std::abs(p.y) + std::abs(p.z) + 4 * smallest;
   const double error = 12 * unit * sum + 8 * smallest + s.d_error +
-                       smallest * (std::abs(s.n[0]) + std::abs(s.n[1]) + std::abs(s.n[2])) +
+                       underflow * (std::abs(s.n[0]) + std::abs(s.n[1]) + std::abs(s.n[2])) +
                        s.n_error * size * (1 + 8 * unit);
   return {x + y + z + s.d, error};
 }
@@ -234,7 +238,7 @@ Sign Kernel::det(PlaneId a, PlaneId b, PlaneId c) const {
   // A product of two factors that underflows is off by the least double times the third factor.
   if (!exact_operands)
     error += 2 * (u.n_error * lv * lw + v.n_error * lu * lw + w.n_error * lu * lv) +
-             4 * smallest * (lu + lv + lw) + 32 * smallest;
+             4 * underflow * (lu + lv + lw) + 32 * smallest;
   const Estimate verdict{sum, error};
   if (verdict.decided()) return verdict.sign();
   if (exact_operands && permanent == 0) return Sign::zero;
