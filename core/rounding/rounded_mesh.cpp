@@ -156,7 +156,7 @@ class MeshRounding {
   // Certainly: far more than the rounding errors of the sum.
   bool encloses_volume() const {
     const Vec3 o = rounded_.position(rounded_.corners[triangle_.front()][0]);
-    double sum = 0, size = 0;
+    double sum = 0, size = 0, reach = 1;
     for (const std::uint32_t t : triangle_) {
       double p[3][3];
       for (std::size_t k = 0; k < 3; ++k) {
@@ -164,6 +164,7 @@ class MeshRounding {
         p[k][0] = v.x - o.x;
         p[k][1] = v.y - o.y;
         p[k][2] = v.z - o.z;
+        for (const double along : p[k]) reach = std::max(reach, std::abs(along));
       }
       for (int k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -172,7 +173,8 @@ class MeshRounding {
         size += std::abs(left) + std::abs(right);
       }
     }
-    return sum > 0x1p-20 * size && triangle_.size() < 0x1p28;
+    // Products that underflow are off by the least double times a third factor.
+    return sum > 0x1p-20 * size && size > 0x1p-900 * reach && triangle_.size() < 0x1p28;
   }
 
   const Rounding& options_;
