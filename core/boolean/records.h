@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "boolean/entity.h"
+#include "boolean/ids.h"
+#include "boolean/operand.h"
 #include "boolean/patch.h"
 
 namespace sectile {
@@ -13,16 +15,16 @@ namespace sectile {
 /// A place where the two boundaries meet in a point: one entity of each. Several contacts may be at
 /// one place.
 struct Contact {
-  Entity on[2];
+  PerOperand<Entity> on;
   PointId point;
-  std::uint32_t place = 0;
+  PlaceId place;
 };
 
 /// A segment between two neighbouring places in which two entities meet (face or edge each).
 struct SegmentRecord {
-  std::uint32_t place[2];  ///< ascending
-  Entity on[2];            ///< the face or edge of each solid
-  Entity end[2][2];        ///< [solid][at place]: the entity of the solid's closure there
+  PlaceId place[2];                       ///< ascending
+  PerOperand<Entity> on;                  ///< the face or edge of each solid
+  PerOperand<std::array<Entity, 2>> end;  ///< at each place: the entity of the solid's closure
 };
 
 /// Where a half-plane of one solid lies relative to the other.
@@ -51,7 +53,7 @@ struct Carrier {
 
 /// A contact segment with all that meets in it.
 struct Segment {
-  std::uint32_t place[2];
+  PlaceId place[2];
   std::uint32_t first_carrier, carrier_count;
   std::uint32_t first_half_plane, half_plane_count;  ///< in counter-clockwise order
   PlaneId plane[2];  ///< two planes through the line; the second invalid if all are parallel
@@ -66,7 +68,7 @@ struct WedgePair {
 struct Site {
   std::uint8_t solid;
   Entity entity;
-  std::uint32_t place;
+  PlaceId place;
   std::uint32_t first_end = 0, end_count = 0;  ///< its CutEnds, in counter-clockwise order
   VertexId vertex;                             ///< the vertex of the patch there
   HalfEdgeId forward;  ///< on an edge: the half-edge that goes on from there

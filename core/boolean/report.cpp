@@ -11,7 +11,7 @@ void send(const Workspace& w, Phase phase, const std::vector<TraceEvent>& events
   w.options.observer->phase_done(phase, events);
 }
 
-std::array<TracePlace, 2> ends_of(const Workspace& w, const std::uint32_t (&place)[2]) {
+std::array<TracePlace, 2> ends_of(const Workspace& w, const PlaceId (&place)[2]) {
   return {place_at(w, place[0]), place_at(w, place[1])};
 }
 

@@ -171,7 +171,7 @@ class NullEdgeReport {
       if (event.pulls[0] == event.pulls[1])
         event.pulls = {direction_of(pulls_[s][from.value()]), direction_of(pulls_[s][to.value()])};
     } else {
-      event.place.number = w_.sites[site].place;
+      event.place.number = w_.sites[site].place.value();
       event.site = {traced(patch, w_.sites[site].entity), w_.sites[site].end_count};
     }
     return event;

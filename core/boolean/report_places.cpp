@@ -129,8 +129,8 @@ int coplanar_with(std::span<const HalfPlane> planes, std::size_t i) {
 
 }  // namespace
 
-TracePlace place_at(const Workspace& w, std::uint32_t place) {
-  return {place, w.geometry.position(w.point(place))};
+TracePlace place_at(const Workspace& w, PlaceId place) {
+  return {place.value(), w.geometry.position(w.point(place))};
 }
 
 void add_sectors(const Workspace& w, int s, Entity entity, std::vector<TraceSector>& sectors) {

@@ -17,7 +17,7 @@ Vec3 unit_normal(const Geometry& geometry, PlaneId plane);
 /// The direction in which a segment runs.
 Vec3 unit_direction(const Workspace& w, const Segment& segment);
 
-TracePlace place_at(const Workspace& w, std::uint32_t place);
+TracePlace place_at(const Workspace& w, PlaceId place);
 
 /// Adds what the faces of solid s have around an entity of it: a cycle of sectors.
 void add_sectors(const Workspace& w, int s, Entity entity, std::vector<TraceSector>& sectors);

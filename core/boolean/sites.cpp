@@ -21,7 +21,8 @@ void find_sites(Workspace& w) {
   struct Keyed {
     std::uint8_t solid;
     Entity entity;
-    std::uint32_t place, index;
+    PlaceId place;
+    std::uint32_t index;
     bool same_site(const Keyed& k) const {
       return solid == k.solid && entity == k.entity && place == k.place;
     }

@@ -19,11 +19,11 @@ struct Workspace {
   bool of_complement = false;  ///< wedges are those of the result's complement
   Geometry geometry;
   std::unique_ptr<Kernel> kernel;
-  Patch patch[2];
+  PerOperand<Patch> patch;
 
   // Reduction.
-  std::vector<Contact> contacts;  ///< ascending by entities, crossings last
-  std::vector<PointId> places;    ///< the point of each place
+  std::vector<Contact> contacts;   ///< ascending by entities, crossings last
+  Table<PlaceId, PointId> places;  ///< the point of each place
   std::vector<SegmentRecord> records;
 
   // Neighborhoods: what lies around each segment, and the wedges of each wanted result.
@@ -41,7 +41,7 @@ struct Workspace {
   std::vector<std::pair<std::uint8_t, FaceId>> bridged;
 
   const Kernel& tests() const { return *kernel; }
-  PointId point(std::uint32_t place) const { return places[place]; }
+  PointId point(PlaceId place) const { return places[place]; }
 
   /// Throws Cancelled if that was asked for. Loops that take long call it now and then.
   void check_cancelled() const {

@@ -61,8 +61,8 @@ class CrossingEdges {
     return kernel_.parallel(w_.patch[1 - s_].plane(face(record)), a) ? b : a;
   }
   bool have_common_end(std::uint32_t i, std::uint32_t j) const {
-    for (const std::uint32_t p : w_.records[i].place)
-      for (const std::uint32_t q : w_.records[j].place)
+    for (const PlaceId p : w_.records[i].place)
+      for (const PlaceId q : w_.records[j].place)
         if (p == q) return true;
     return false;
   }

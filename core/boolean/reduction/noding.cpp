@@ -13,24 +13,24 @@ class Noding {
  public:
   explicit Noding(const Workspace& w) : w_(w), kernel_(w.tests()) {
     std::vector<Box> boxes(w.places.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (const PlaceId place : w.places.ids()) {
       Bounds bounds;
-      bounds.add(w.geometry.position(w.places[i]));
-      boxes[i] = bounds.box();
+      bounds.add(w.geometry.position(w.point(place)));
+      boxes[place.value()] = bounds.box();
     }
     tree_ = BoxTree(boxes);
   }
 
   void split(const SegmentRecord& record, std::vector<SegmentRecord>& out) const {
-    std::vector<std::uint32_t> inside = places_inside(record);
+    std::vector<PlaceId> inside = places_inside(record);
     if (inside.empty()) {
       out.push_back(record);
       return;
     }
-    std::uint32_t from = record.place[0];
+    PlaceId from = record.place[0];
     Entity start[2] = {record.end[0][0], record.end[1][0]};
     inside.push_back(record.place[1]);
-    for (const std::uint32_t to : inside) {
+    for (const PlaceId to : inside) {
       SegmentRecord piece = record;
       const bool last = to == record.place[1];
       piece.place[0] = from;
@@ -58,16 +58,17 @@ class Noding {
   }
 
   // Those strictly between the two ends, in order.
-  std::vector<std::uint32_t> places_inside(const SegmentRecord& record) const {
+  std::vector<PlaceId> places_inside(const SegmentRecord& record) const {
     const PointId p = w_.point(record.place[0]), q = w_.point(record.place[1]);
     Bounds bounds;
     bounds.add(w_.geometry.position(p));
     bounds.add(w_.geometry.position(q));
     const Box box = bounds.box();
     const auto [a, b] = line_of(record);
-    std::vector<std::uint32_t> found;
+    std::vector<PlaceId> found;
     tree_.query([&](const Box& other) { return other.overlaps(box); },
-                [&, a = a, b = b](std::uint32_t place) {
+                [&, a = a, b = b](std::uint32_t item) {
+                  const PlaceId place{item};
                   if (place == record.place[0] || place == record.place[1]) return;
                   const PointId x = w_.point(place);
                   if (kernel_.side(x, a) == Sign::zero && kernel_.side(x, b) == Sign::zero)
@@ -76,11 +77,11 @@ class Noding {
     if (found.empty()) return found;
     const int axis = kernel_.cross_axis(a, b);
     const Sign along = kernel_.compare(p, q, axis);
-    std::erase_if(found, [&](std::uint32_t place) {
+    std::erase_if(found, [&](PlaceId place) {
       return kernel_.compare(p, w_.point(place), axis) != along ||
              kernel_.compare(w_.point(place), q, axis) != along;
     });
-    std::sort(found.begin(), found.end(), [&](std::uint32_t i, std::uint32_t j) {
+    std::sort(found.begin(), found.end(), [&](PlaceId i, PlaceId j) {
       return kernel_.compare(w_.point(i), w_.point(j), axis) == along;
     });
     return found;

@@ -21,16 +21,19 @@ void find_places(Workspace& w, std::size_t first_contact) {
     return i < j;
   });
   // Equal points have equal rounded positions; among these, exact tests decide.
-  std::size_t first_place = w.places.size();
+  PlaceId first_place = w.places.end_id();
   for (std::size_t i = 0; i < order.size(); ++i) {
     Contact& contact = w.contacts[order[i]];
-    if (i == 0 || !(position(order[i]) == position(order[i - 1]))) first_place = w.places.size();
-    std::size_t place = first_place;
-    while (place < w.places.size() && !w.tests().same_point(w.places[place], contact.point))
-      ++place;
-    if (place == w.places.size()) w.places.push_back(contact.point);
+    if (i == 0 || !(position(order[i]) == position(order[i - 1]))) first_place = w.places.end_id();
+    PlaceId place;
+    for (const PlaceId known : w.places.ids_from(first_place)) {
+      if (!w.tests().same_point(w.point(known), contact.point)) continue;
+      place = known;
+      break;
+    }
+    if (!place.valid()) place = w.places.add(contact.point);
     if (!w.geometry.is_constructed(contact.point)) w.places[place] = contact.point;
-    contact.place = static_cast<std::uint32_t>(place);
+    contact.place = place;
   }
   // Vertices at one place share one point from now on.
   for (const Contact& contact : std::span(w.contacts).subspan(first_contact))

@@ -50,7 +50,7 @@ class EdgeNodes {
     std::sort(order_.begin() + static_cast<std::ptrdiff_t>(from),
               order_.begin() + static_cast<std::ptrdiff_t>(to),
               [&](std::uint32_t i, std::uint32_t j) {
-                const std::uint32_t p = w_.contacts[i].place, q = w_.contacts[j].place;
+                const PlaceId p = w_.contacts[i].place, q = w_.contacts[j].place;
                 if (p == q) return i < j;
                 return w_.tests().compare(w_.point(p), w_.point(q), axis) == along;
               });
@@ -76,13 +76,13 @@ class CrossingFaces {
   struct Scratch {
     // Something of a face's boundary at a place on the common line.
     struct Item {
-      std::uint32_t place;
+      PlaceId place;
       int solid;
       BoundaryItem of;
       friend auto operator<=>(const Item&, const Item&) = default;
     };
     struct Point {
-      std::uint32_t place;
+      PlaceId place;
       std::span<const Item> items[2];
     };
     struct EdgeOnLine {
@@ -134,7 +134,7 @@ class CrossingFaces {
 
   void add(int s, std::span<const Hit> hits, HalfEdgeId h) {
     if (hits.empty()) return;
-    const std::uint32_t place = w_.contacts[hits[0].contact].place;
+    const PlaceId place = w_.contacts[hits[0].contact].place;
     scratch_.items.push_back({place, s, {hits[0].piercer, h}});
     scratch_.bounds.clear();
     for (const Hit& hit : hits)
@@ -254,7 +254,7 @@ class EdgeInPlane {
 
  private:
   struct Node {
-    std::uint32_t place;
+    PlaceId place;
     Entity mine;
     bool inside = false;
     std::vector<BoundaryItem> items;

@@ -40,8 +40,7 @@ class TouchedFaces {
   bool is_near(const SegmentRecord& record, FaceId f) const {
     if (patch().unbounded) return false;
     Bounds bounds;
-    for (const std::uint32_t place : record.place)
-      bounds.add(w_.geometry.position(w_.point(place)));
+    for (const PlaceId place : record.place) bounds.add(w_.geometry.position(w_.point(place)));
     return patch().face_boxes[f.value()].overlaps(bounds.box());
   }
 
@@ -73,7 +72,7 @@ class TouchedFaces {
   }
 
   // What the face's boundary has at a place; false if the place is outside of the face.
-  bool find_items(std::uint32_t place, FaceId f, std::vector<BoundaryItem>& items) const {
+  bool find_items(PlaceId place, FaceId f, std::vector<BoundaryItem>& items) const {
     std::vector<Entity> found;
     locate(kernel_, patch(), f, Probe(kernel_, w_.point(place)), found);
     items.clear();
