@@ -43,6 +43,8 @@ std::string in_words(const Written& written) {
   if (rounding.moved > 0)
     text += "; " + counted(rounding.moved, "corner") + " rounded, by " +
             in_words(rounding.largest_move) + " at most";
+  if (rounding.resolved > 0)
+    text += "; faces that could not be kept apart in the numbers of the file were united";
   return text;
 }
 
@@ -56,6 +58,7 @@ Json to_json(const Written& written) {
                       {"displaced", rounding.displaced},
                       {"merged", rounding.merged},
                       {"flipped", rounding.flipped},
+                      {"resolved", rounding.resolved},
                       {"largest_move", rounding.largest_move},
                       {"median_move", rounding.median_move}};
   return json;
@@ -74,6 +77,9 @@ void report(const std::string& command, const std::vector<std::string>& inputs,
   for (const Written& output : outputs)
     if (output.solid.is_empty())
       std::cerr << "sectile: " << name_of(output) << ": the result is empty\n";
+    else if (output.triangles == 0)
+      std::cerr << "sectile: " << name_of(output)
+                << ": the solid is too thin for the numbers of the file, which is empty\n";
   if (options.json) return;
   std::ostream& out = uses_standard_output(names) ? std::cerr : std::cout;
   for (const Written& output : outputs) out << in_words(output) << '\n';

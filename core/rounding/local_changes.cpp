@@ -1,5 +1,8 @@
 #include "rounding/local_changes.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "sectile/errors.h"
@@ -31,7 +34,6 @@ LocalChanges::LocalChanges(RoundedSurface& rounded, Kernel& kernel)
     : rounded_(rounded), kernel_(kernel), pairs_(rounded.surface, kernel) {
   const std::size_t count = rounded.corners.size();
   is_changed_.assign(count, 0);
-  ever_changed_.assign(count, 0);
   first_.assign(rounded.point.size() + 1, 0);
   for (const auto& corners : rounded.corners)
     for (const std::uint32_t v : corners) ++first_[v + 1];
@@ -43,7 +45,7 @@ LocalChanges::LocalChanges(RoundedSurface& rounded, Kernel& kernel)
   build_tree();
 }
 
-Box LocalChanges::box(std::uint32_t triangle) const {
+Box LocalChanges::make_box(std::uint32_t triangle) const {
   Bounds bounds;
   for (const PointId p : rounded_.surface.corners[triangle])
     bounds.add(rounded_.geometry.position(p));
@@ -51,10 +53,12 @@ Box LocalChanges::box(std::uint32_t triangle) const {
 }
 
 void LocalChanges::build_tree() {
-  std::vector<Box> boxes(rounded_.corners.size());
-  for (std::uint32_t t = 0; t < boxes.size(); ++t)
-    if (rounded_.alive[t] != 0) boxes[t] = box(t);
-  tree_ = BoxTree(boxes);
+  box_.assign(rounded_.corners.size(), Box());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, box_.size(), 4096), [&](const auto& range) {
+    for (std::size_t t = range.begin(); t < range.end(); ++t)
+      if (rounded_.alive[t] != 0) box_[t] = make_box(static_cast<std::uint32_t>(t));
+  });
+  tree_ = BoxTree(box_);
   for (const std::uint32_t t : recent_) is_changed_[t] = 0;
   recent_.clear();
 }
@@ -74,18 +78,19 @@ std::vector<std::uint32_t> LocalChanges::star(std::uint32_t vertex) const {
 
 template <class Visit>
 void LocalChanges::for_each_near(std::uint32_t triangle, const Visit& visit) const {
-  const Box own = box(triangle);
+  const Box& own = box_[triangle];
   tree_.query([&](const Box& b) { return b.overlaps(own); },
               [&](std::uint32_t t) {
                 if (t != triangle && is_changed_[t] == 0 && rounded_.alive[t] != 0) visit(t);
               });
   for (const std::uint32_t t : recent_)
-    if (t != triangle && rounded_.alive[t] != 0 && box(t).overlaps(own)) visit(t);
+    if (t != triangle && rounded_.alive[t] != 0 && box_[t].overlaps(own)) visit(t);
 }
 
-std::size_t LocalChanges::faults(std::span<const std::uint32_t> triangles) const {
+std::size_t LocalChanges::faults(std::span<const std::uint32_t> triangles, std::size_t most) const {
   std::size_t count = 0;
   for (const std::uint32_t t : triangles) {
+    if (count >= most) break;
     if (rounded_.alive[t] == 0) continue;
     if (rounded_.surface.ignored[t] != 0) {
       count += 2;
@@ -93,7 +98,7 @@ std::size_t LocalChanges::faults(std::span<const std::uint32_t> triangles) const
     }
     for_each_near(t, [&](std::uint32_t other) {
       const bool both = std::binary_search(triangles.begin(), triangles.end(), other);
-      if (both && other < t) return;
+      if (count >= most || (both && other < t)) return;
       if (pairs_.test(std::min(t, other), std::max(t, other))) ++count;
     });
   }
@@ -110,13 +115,15 @@ std::vector<std::uint32_t> LocalChanges::opponents(std::uint32_t triangle) const
   return found;
 }
 
-void LocalChanges::begin(std::vector<std::uint32_t> triangles) {
+void LocalChanges::begin(std::vector<std::uint32_t> triangles, std::uint32_t around) {
   saved_.clear();
   moved_from_ = PointId();
   std::sort(triangles.begin(), triangles.end());
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   concerned_ = std::move(triangles);
-  before_ = faults(concerned_);
+  const auto known = before_at_.find(around);
+  before_ = known != before_at_.end() ? known->second : faults(concerned_);
+  if (around != no_vertex) before_at_[around] = before_;
   for (const std::uint32_t t : concerned_) save(t);
   // From now on they are found by the list.
   recent_before_ = recent_.size();
@@ -139,6 +146,7 @@ void LocalChanges::renew(std::uint32_t t) {
   rounded_.surface.plane[t] =
       rounded_.geometry.add_plane(PlaneDefinition::through(points[0], points[1], points[2]));
   rounded_.surface.settled[t] = 0;
+  box_[t] = make_box(t);
 }
 
 void LocalChanges::kill(std::uint32_t t) {
@@ -238,7 +246,7 @@ void LocalChanges::sort_wedges(std::uint32_t from, std::uint32_t to, std::vector
 
 bool LocalChanges::move(std::uint32_t vertex, const Vec3& to) {
   if (rounded_.position(vertex) == to) return false;
-  begin(star(vertex));
+  begin(star(vertex), vertex);
   moved_vertex_ = vertex;
   moved_from_ = rounded_.point[vertex];
   rounded_.point[vertex] = rounded_.geometry.add_point(to);
@@ -293,20 +301,9 @@ bool LocalChanges::flip(std::uint32_t s, std::size_t j) {
   return true;
 }
 
-void LocalChanges::remove(std::vector<std::uint32_t> triangles) {
-  begin(std::move(triangles));
-  for (const std::uint32_t t : concerned_) kill(t);
-  settle();
-  keep();
-}
-
 void LocalChanges::keep() {
-  for (const Saved& saved : saved_) {
-    if (ever_changed_[saved.triangle] != 0) continue;
-    ever_changed_[saved.triangle] = 1;
-    changed_.push_back(saved.triangle);
-  }
   saved_.clear();
+  before_at_.clear();
   if (recent_.size() > most_recent) build_tree();
 }
 
@@ -319,6 +316,7 @@ void LocalChanges::undo() {
     rounded_.surface.mate[t] = saved->mate;
     rounded_.alive[t] = saved->alive;
     rounded_.surface.ignored[t] = saved->ignored;
+    box_[t] = make_box(t);
   }
   saved_.clear();
   if (moved_from_.valid()) rounded_.point[moved_vertex_] = moved_from_;

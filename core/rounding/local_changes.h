@@ -20,8 +20,8 @@ class LocalChanges {
   /// The living triangles around a vertex.
   std::vector<std::uint32_t> star(std::uint32_t vertex) const;
   /// How many things are wrong with these triangles: pairs with any other that meet as they must
-  /// not, and, twice, triangles without area.
-  std::size_t faults(std::span<const std::uint32_t> triangles) const;
+  /// not, and, twice, triangles without area. Counts no farther than `most`.
+  std::size_t faults(std::span<const std::uint32_t> triangles, std::size_t most = no_limit) const;
   /// Those with which a triangle meets as it must not.
   std::vector<std::uint32_t> opponents(std::uint32_t triangle) const;
 
@@ -30,19 +30,14 @@ class LocalChanges {
   bool merge(std::uint32_t vertex, std::uint32_t into);
   /// Edge k of a triangle.
   bool flip(std::uint32_t triangle, std::size_t k);
-  /// The triangles that the change concerns, and what was wrong with them before.
-  std::span<const std::uint32_t> concerned() const { return concerned_; }
-  std::size_t faults_before() const { return before_; }
-  std::size_t faults_now() const { return faults(concerned_); }
+  /// Is less wrong with the triangles that the change concerns than before?
+  bool is_better() const { return faults(concerned_, before_) < before_; }
   void keep();
   void undo();
-  /// Takes a whole shell away.
-  void remove(std::vector<std::uint32_t> triangles);
-
-  /// Triangles that were changed and kept, each once.
-  const std::vector<std::uint32_t>& changed() const { return changed_; }
 
  private:
+  static constexpr std::size_t no_limit = 0xFFFFFFFFu;
+  static constexpr std::uint32_t no_vertex = 0xFFFFFFFFu;
   struct Side {
     std::uint32_t triangle;
     std::size_t edge;
@@ -56,7 +51,7 @@ class LocalChanges {
     std::uint8_t alive, ignored;
   };
 
-  void begin(std::vector<std::uint32_t> triangles);
+  void begin(std::vector<std::uint32_t> triangles, std::uint32_t around = no_vertex);
   void save(std::uint32_t triangle);
   void settle();
   void renew(std::uint32_t triangle);
@@ -69,16 +64,16 @@ class LocalChanges {
   bool is_flat(std::uint32_t triangle) const;
   template <class Visit>
   void for_each_near(std::uint32_t triangle, const Visit& visit) const;
-  Box box(std::uint32_t triangle) const;
+  Box make_box(std::uint32_t triangle) const;
   void build_tree();
 
   RoundedSurface& rounded_;
   Kernel& kernel_;
   TrianglePairs pairs_;
   BoxTree tree_;
-  std::vector<std::uint8_t> is_changed_;         // since the tree was built
-  std::vector<std::uint32_t> recent_, changed_;  // the same as lists; the second one of all time
-  std::vector<std::uint8_t> ever_changed_;
+  std::vector<Box> box_;                       // per triangle
+  std::vector<std::uint8_t> is_changed_;       // since the tree was built
+  std::vector<std::uint32_t> recent_;          // the same as a list
   std::vector<std::uint32_t> first_, around_;  // triangles around each vertex, at first
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> more_;  // and those that came
   std::vector<std::uint32_t> concerned_;
@@ -86,6 +81,8 @@ class LocalChanges {
   std::uint32_t moved_vertex_ = 0;
   PointId moved_from_;
   std::size_t before_ = 0, recent_before_ = 0;
+  // What is wrong around vertices, until a change is kept.
+  std::unordered_map<std::uint32_t, std::size_t> before_at_;
 };
 
 }  // namespace sectile

@@ -8,14 +8,12 @@
 #include <tuple>
 #include <unordered_set>
 
-#include "import/diagnosis.h"
-
 namespace sectile {
 namespace {
 
-// How far from its place a vertex may go, in steps, before the attempt is given up.
-constexpr double greatest_reach = 0x1p10;
-// Of all that meets a triangle, so many are looked at.
+// How far from its place a vertex may go, in steps, before a coarser grid is better.
+constexpr double greatest_reach = 4;
+// Of all that meets a triangle, so many are looked at for a change that helps.
 constexpr std::size_t most_opponents = 4;
 
 Vec3 minus(const Vec3& a, const Vec3& b) {
@@ -59,7 +57,7 @@ std::vector<std::uint32_t> faulty_triangles(RoundedSurface& rounded, const Kerne
   return faulty;
 }
 
-void RoundingRepair::run(std::vector<std::uint32_t> faulty) {
+std::vector<std::uint32_t> RoundingRepair::run(std::vector<std::uint32_t> faulty) {
   unite_places(faulty);
   double reach = 1;
   while (!faulty.empty()) {
@@ -78,13 +76,9 @@ void RoundingRepair::run(std::vector<std::uint32_t> faulty) {
     left.erase(std::unique(left.begin(), left.end()), left.end());
     faulty = std::move(left);
     if (!better) reach *= 2;
-    if (reach <= greatest_reach || faulty.empty()) continue;
-    const Vec3& where = rounded_.position(rounded_.corners[faulty.front()][0]);
-    throw RoundingFailed("the faces near " + in_words(where) +
-                             " cannot be kept apart in these numbers within the displacement "
-                             "allowed; allow more, or use finer numbers",
-                         where);
+    if (reach > greatest_reach) break;
   }
+  return faulty;
 }
 
 // Where sheets have come to lie on each other, they cancel once their vertices are the same.
@@ -110,70 +104,6 @@ void RoundingRepair::unite_places(const std::vector<std::uint32_t>& faulty) {
   }
 }
 
-std::vector<std::uint32_t> RoundingRepair::shell_of(std::uint32_t triangle) const {
-  std::vector<std::uint32_t> shell{triangle};
-  std::unordered_set<std::uint32_t> seen{triangle};
-  for (std::size_t i = 0; i < shell.size(); ++i)
-    for (const std::uint32_t mate : rounded_.surface.mate[shell[i]])
-      if (seen.insert(mate).second) shell.push_back(mate);
-  return shell;
-}
-
-Sign RoundingRepair::volume(const std::vector<std::uint32_t>& shell) const {
-  Dyadic sum;
-  for (const std::uint32_t t : shell) {
-    const Vec3 &a = rounded_.position(rounded_.corners[t][0]),
-               &b = rounded_.position(rounded_.corners[t][1]),
-               &c = rounded_.position(rounded_.corners[t][2]);
-    const Dyadic rows[3][3] = {{Dyadic(a.x), Dyadic(a.y), Dyadic(a.z)},
-                               {Dyadic(b.x), Dyadic(b.y), Dyadic(b.z)},
-                               {Dyadic(c.x), Dyadic(c.y), Dyadic(c.z)}};
-    sum += determinant(rows[0], rows[1], rows[2]);
-  }
-  return sum.sign();
-}
-
-// Less than a few steps, as the quotient of volume and area says.
-bool RoundingRepair::is_thin(const std::vector<std::uint32_t>& shell) const {
-  const Vec3& o = rounded_.position(rounded_.corners[shell[0]][0]);
-  double volume = 0, area = 0, step = 0;
-  for (const std::uint32_t t : shell) {
-    const Vec3 a = minus(rounded_.position(rounded_.corners[t][0]), o),
-               b = minus(rounded_.position(rounded_.corners[t][1]), o),
-               c = minus(rounded_.position(rounded_.corners[t][2]), o);
-    volume += dot(a, cross(b, c)) / 6;
-    area += length(cross(minus(b, a), minus(c, a))) / 2;
-    for (const std::uint32_t v : rounded_.corners[t])
-      step = std::max(step, grid_.step(rounded_.position(v)));
-  }
-  return std::abs(volume) <= 8 * step * area;
-}
-
-bool RoundingRepair::turn_shell(std::uint32_t triangle) {
-  std::vector<std::uint32_t> shell = shell_of(triangle);
-  if (!is_thin(shell)) return false;
-  const Sign wrong = volume(shell);
-  constexpr std::size_t small = 64;
-  if (shell.size() <= small) {
-    std::vector<std::uint32_t> vertices;
-    for (const std::uint32_t t : shell)
-      vertices.insert(vertices.end(), rounded_.corners[t].begin(), rounded_.corners[t].end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    for (double reach = 1; reach <= 4; reach *= 2)
-      for (const Move& m : moves(vertices, reach)) {
-        if (!changes_.move(m.vertex, m.to)) continue;
-        if (changes_.faults_now() == 0 && volume(shell) == -wrong) {
-          changes_.keep();
-          return true;
-        }
-        changes_.undo();
-      }
-  }
-  changes_.remove(std::move(shell));
-  return true;
-}
-
 double RoundingRepair::distance(std::uint32_t vertex, const Vec3& to) const {
   return length(minus(to, rounded_.origin[vertex]));
 }
@@ -196,7 +126,7 @@ std::vector<std::uint32_t> RoundingRepair::vertices_near(std::uint32_t triangle)
 
 // Keeps a change that leaves less wrong.
 bool RoundingRepair::accept() {
-  if (changes_.faults_now() < changes_.faults_before()) {
+  if (changes_.is_better()) {
     changes_.keep();
     return true;
   }

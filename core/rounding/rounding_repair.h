@@ -24,20 +24,17 @@ class RoundingRepair {
     for (std::uint32_t v = 0; v < gone_to_.size(); ++v) gone_to_[v] = v;
   }
 
-  /// Changes what is near these triangles until nothing is wrong with them. Throws RoundingFailed.
-  void run(std::vector<std::uint32_t> faulty);
+  /// Changes what is near these triangles until nothing is wrong with them. Returns those for which
+  /// no change nearby helps.
+  std::vector<std::uint32_t> run(std::vector<std::uint32_t> faulty);
 
   /// The vertex to which a vertex was joined, at last.
   std::uint32_t gone_to(std::uint32_t vertex) const {
     while (gone_to_[vertex] != vertex) vertex = gone_to_[vertex];
     return vertex;
   }
-  /// Turns the shell of a triangle, which rounding turned inside out, back again, or removes it if
-  /// it is too thin for that. False if it is not thin at all.
-  bool turn_shell(std::uint32_t triangle);
   std::size_t merged() const { return merged_; }
   std::size_t flipped() const { return flipped_; }
-  const std::vector<std::uint32_t>& changed() const { return changes_.changed(); }
 
  private:
   struct Move {
@@ -53,9 +50,6 @@ class RoundingRepair {
   bool try_merges(const std::vector<std::uint32_t>& vertices, double reach);
   bool try_moves(const std::vector<std::uint32_t>& vertices, double reach);
   bool accept();
-  std::vector<std::uint32_t> shell_of(std::uint32_t triangle) const;
-  bool is_thin(const std::vector<std::uint32_t>& shell) const;
-  Sign volume(const std::vector<std::uint32_t>& shell) const;
   std::vector<std::uint32_t> vertices_near(std::uint32_t triangle) const;
   double distance(std::uint32_t vertex, const Vec3& to) const;
   bool may_go(std::uint32_t vertex, const Vec3& to) const;

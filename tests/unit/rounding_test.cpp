@@ -38,7 +38,7 @@ RoundedMesh expect_legal(const Solid& solid, const Rounding& rounding) {
       for (const double c : {p.x, p.y, p.z})
         EXPECT_EQ(c, static_cast<double>(static_cast<float>(c)));
   }
-  if (rounding.numbers != Numbers::grid) {
+  if (rounding.numbers != Numbers::grid && rounded.report.resolved == 0) {
     EXPECT_LE(rounded.report.median_move, 1.8 * unit_of(rounded.mesh, rounding.numbers));
   }
   return rounded;
@@ -53,37 +53,24 @@ Solid turned(const Solid& solid, double angle, double tilt = 0.3) {
   return transformed(solid, Transform::rotation_degrees({1, tilt, 0.7}, angle * 57.29577951308232));
 }
 
-// What is left of a difference may be thinner than floats can tell: then there is no mesh.
-void expect_legal_or_none(const Solid& solid, const Rounding& rounding) {
-  try {
-    expect_legal(solid, rounding);
-  } catch (const RoundingFailed& error) {
-    EXPECT_NE(std::string(error.what()).find("near ("), std::string::npos) << error.what();
-  }
-}
-
 class NearlyTheSame : public testing::TestWithParam<int> {
  protected:
-  static void expect_legal_results(const Solid& a, const Solid& b, int digits) {
+  static void expect_legal_results(const Solid& a, const Solid& b) {
     for (const Operation operation : {Operation::unite, Operation::intersect})
       expect_legal_in_all_numbers(boolean(a, b, operation));
-    const Solid rest = boolean(a, b, Operation::subtract);
-    if (digits < 14) expect_legal(rest, to(Numbers::doubles));
-    if (digits < 6)
-      expect_legal(rest, to(Numbers::floats));
-    else if (digits < 8)
-      expect_legal_or_none(rest, to(Numbers::floats));
+    // May be thinner than floats can tell, and vanish.
+    expect_legal_in_all_numbers(boolean(a, b, Operation::subtract));
   }
 };
 
 TEST_P(NearlyTheSame, SpheresBesideThemselves) {
   const Solid a = sphere(1, 16, 8);
-  expect_legal_results(a, turned(a, std::pow(10, -GetParam())), GetParam());
+  expect_legal_results(a, turned(a, std::pow(10, -GetParam())));
 }
 
 TEST_P(NearlyTheSame, CubesBesideThemselves) {
   const Solid a = block({-1, -1, -1}, {1, 1, 1});
-  expect_legal_results(a, turned(a, std::pow(10, -GetParam())), GetParam());
+  expect_legal_results(a, turned(a, std::pow(10, -GetParam())));
 }
 
 INSTANTIATE_TEST_SUITE_P(Rounding, NearlyTheSame, testing::Values(3, 5, 7, 9, 11, 13, 15));

@@ -40,6 +40,8 @@ struct RoundingReport {
   std::size_t displaced = 0;  ///< those that could not go to the nearest place
   std::size_t merged = 0;     ///< those that went to the place of a neighbour
   std::size_t flipped = 0;    ///< edges between two triangles replaced by the other diagonal
+  std::size_t resolved = 0;   ///< how often corners went to a coarser grid, because faces could not
+                              ///< be kept apart otherwise, and what crossed then was united
   double largest_move = 0, median_move = 0;
   Vec3 largest_at;
 };
@@ -50,7 +52,8 @@ struct RoundedMesh {
   RoundingReport report;
 };
 
-/// A solid cannot be written within the displacement that is allowed.
+/// A solid cannot be written within the displacement that is allowed, or a coordinate is larger
+/// than the numbers of the mesh.
 class RoundingFailed : public Error {
  public:
   RoundingFailed(const std::string& message, const Vec3& where) : Error(message), where_(where) {}
@@ -63,7 +66,9 @@ class RoundingFailed : public Error {
 /// Triangles that, read back, are a legal solid: closed and oriented, none without area, no two of
 /// them crossing or lying on each other. Corners go to the nearest place that the numbers allow;
 /// where that would make faces meet, corners beside it, or edges are replaced by other diagonals,
-/// or corners joined with neighbours. All else stays as it is. Throws RoundingFailed, Cancelled.
+/// or corners joined with neighbours; where that does not help, corners go to a coarser grid. All
+/// else stays as it is. What is thinner than the numbers can tell vanishes, and all of the solid
+/// may: then the mesh is empty. Throws RoundingFailed, Cancelled.
 RoundedMesh rounded_mesh(const Solid& solid, const Rounding& rounding = {});
 
 }  // namespace sectile

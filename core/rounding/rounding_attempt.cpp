@@ -1,0 +1,240 @@
+#include "rounding/rounding_attempt.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/axes.h"
+#include "import/soup.h"
+#include "rounding/resolved.h"
+#include "search/box_tree.h"
+#include "sectile/errors.h"
+
+namespace sectile {
+namespace {
+
+constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+double snap(double value, double spacing) {
+  return std::isfinite(spacing) ? std::nearbyint(value / spacing) * spacing : 0;
+}
+
+// The least box of a triangle, and those around it.
+struct Surroundings {
+  Vec3 low, high;
+  bool contain(const Vec3& p, double distance) const {
+    for (int k = 0; k < 3; ++k)
+      if (component(p, k) < component(low, k) - distance ||
+          component(p, k) > component(high, k) + distance)
+        return false;
+    return true;
+  }
+};
+
+}  // namespace
+
+RoundingAttempt::RoundingAttempt(const SolidData& data, const RoundingGrid& grid,
+                                 const Rounding& options, const Displacement& before)
+    : options_(options),
+      grid_(grid),
+      before_(before),
+      rounded_(data, grid),
+      kernel_(rounded_.geometry) {}
+
+RoundingRepair& RoundingAttempt::repair() {
+  if (!repair_) repair_.emplace(rounded_, kernel_, grid_, options_);
+  return *repair_;
+}
+
+bool RoundingAttempt::run() {
+  if (rounded_.anything_moved()) {
+    // Each change leaves fewer vertices, or as many and less that is wrong.
+    for (auto faulty = faulty_triangles(rounded_, kernel_, control()); !faulty.empty();
+         faulty = faulty_triangles(rounded_, kernel_, control())) {
+      stuck_ = repair().run(std::move(faulty));
+      if (!stuck_.empty()) return false;
+    }
+  }
+  make_mesh();
+  if (!rounded_.anything_moved() || triangle_.empty()) return true;
+  const std::uint32_t wrong = wrong_shell();
+  if (wrong == none) return true;
+  stuck_ = {wrong};
+  shell_is_wrong_ = true;
+  return false;
+}
+
+void RoundingAttempt::make_mesh() {
+  std::vector<std::uint32_t> number(rounded_.point.size(), none);
+  for (std::uint32_t t = 0; t < rounded_.corners.size(); ++t) {
+    if (rounded_.alive[t] == 0) continue;
+    for (const std::uint32_t v : rounded_.corners[t]) {
+      if (number[v] == none) {
+        number[v] = static_cast<std::uint32_t>(mesh_.positions.size());
+        mesh_.positions.push_back(rounded_.position(v));
+      }
+      mesh_.indices.push_back(number[v]);
+    }
+    mesh_.face_sizes.push_back(3);
+    sources_.push_back(rounded_.source[t]);
+    triangle_.push_back(t);
+  }
+}
+
+// What no two faces show: a shell that was turned inside out, or came to lie in another one. A
+// triangle of it, or none.
+std::uint32_t RoundingAttempt::wrong_shell() const {
+  if (is_one_shell() && encloses_volume()) return none;
+  try {
+    ImportOptions how;
+    how.trusted = true;  // the faces were tested
+    how.cancel = options_.cancel;
+    import_mesh(mesh_, how);
+    return none;
+  } catch (const InvalidSolid& error) {
+    return error.face() == no_element ? triangle_.front() : triangle_[error.face()];
+  }
+}
+
+bool RoundingAttempt::is_one_shell() const {
+  std::vector<std::uint8_t> seen(rounded_.corners.size(), 0);
+  std::vector<std::uint32_t> front{triangle_.front()};
+  seen[front.front()] = 1;
+  std::size_t count = 1;
+  while (!front.empty()) {
+    const std::uint32_t t = front.back();
+    front.pop_back();
+    for (const std::uint32_t mate : rounded_.surface.mate[t]) {
+      if (seen[mate] != 0) continue;
+      seen[mate] = 1;
+      ++count;
+      front.push_back(mate);
+    }
+  }
+  return count == triangle_.size();
+}
+
+// Certainly: far more than the rounding errors of the sum.
+bool RoundingAttempt::encloses_volume() const {
+  const Vec3 o = rounded_.position(rounded_.corners[triangle_.front()][0]);
+  double sum = 0, size = 0, reach = 1;
+  for (const std::uint32_t t : triangle_) {
+    double p[3][3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& v = rounded_.position(rounded_.corners[t][k]);
+      p[k][0] = v.x - o.x;
+      p[k][1] = v.y - o.y;
+      p[k][2] = v.z - o.z;
+      for (const double along : p[k]) reach = std::max(reach, std::abs(along));
+    }
+    for (int k = 0; k < 3; ++k) {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      const double left = p[0][k] * p[1][i] * p[2][j], right = p[0][k] * p[1][j] * p[2][i];
+      sum += left - right;
+      size += std::abs(left) + std::abs(right);
+    }
+  }
+  // Products that underflow are off by the least double times a third factor.
+  return sum > 0x1p-20 * size && size > 0x1p-900 * reach && triangle_.size() < 0x1p28;
+}
+
+double RoundingAttempt::move_of(std::uint32_t vertex, const Vec3& to) const {
+  const Vec3& from = rounded_.origin[vertex];
+  double move = std::hypot(to.x - from.x, to.y - from.y, to.z - from.z) + before_.at(from);
+  // The place itself is off by half a unit in the last place of each coordinate at most.
+  if (rounded_.is_exact[vertex] == 0) {
+    const double half = 0x1p-53;
+    move += std::hypot(half * from.x, half * from.y, half * from.z);
+  }
+  return move;
+}
+
+void RoundingAttempt::take(RoundedMesh& result) {
+  note_report(result.report);
+  result.mesh = std::move(mesh_);
+  result.sources = std::move(sources_);
+}
+
+void RoundingAttempt::note_report(RoundingReport& report) const {
+  if (repair_) {
+    report.merged += repair_->merged();
+    report.flipped += repair_->flipped();
+  }
+  report.largest_move = before_.largest();
+  report.largest_at = before_.largest_at();
+  std::vector<double> moves;
+  for (std::uint32_t v = 0; v < rounded_.point.size(); ++v) {
+    const Vec3& to = rounded_.position(repair_ ? repair_->gone_to(v) : v);
+    if (!(to == grid_.nearest(rounded_.origin[v]))) ++report.displaced;
+    const double move = move_of(v, to);
+    if (move == 0) continue;
+    moves.push_back(move);
+    if (move <= report.largest_move) continue;
+    report.largest_move = move;
+    report.largest_at = rounded_.origin[v];
+  }
+  report.moved = moves.size();
+  if (moves.empty()) return;
+  const auto middle = moves.begin() + static_cast<std::ptrdiff_t>(moves.size() / 2);
+  std::nth_element(moves.begin(), middle, moves.end());
+  report.median_move = *middle;
+}
+
+std::vector<std::uint8_t> RoundingAttempt::vertices_near_stuck(double distance) const {
+  std::vector<Surroundings> around;
+  std::vector<Box> boxes;
+  for (const std::uint32_t t : stuck_) {
+    Surroundings s;
+    Bounds bounds;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& p = rounded_.position(rounded_.corners[t][k]);
+      s.low =
+          k == 0 ? p : Vec3{std::min(s.low.x, p.x), std::min(s.low.y, p.y), std::min(s.low.z, p.z)};
+      s.high =
+          k == 0 ? p
+                 : Vec3{std::max(s.high.x, p.x), std::max(s.high.y, p.y), std::max(s.high.z, p.z)};
+    }
+    bounds.add({s.low.x - distance, s.low.y - distance, s.low.z - distance});
+    bounds.add({s.high.x + distance, s.high.y + distance, s.high.z + distance});
+    around.push_back(s);
+    boxes.push_back(bounds.box());
+  }
+  const BoxTree tree(boxes);
+  std::vector<std::uint8_t> near(rounded_.point.size(), 0);
+  for (std::uint32_t v = 0; v < near.size(); ++v) {
+    const Vec3& p = rounded_.position(v);
+    tree.query([&](const Box& b) { return near[v] == 0 && b.contains(p); },
+               [&](std::uint32_t i) { near[v] = near[v] != 0 || around[i].contain(p, distance); });
+  }
+  return near;
+}
+
+std::shared_ptr<const SolidData> RoundingAttempt::coarser(double coarseness, Displacement& moved) {
+  double step = 0;
+  for (const std::uint32_t t : stuck_)
+    for (const std::uint32_t v : rounded_.corners[t])
+      step = std::max(step, grid_.step(rounded_.position(v)));
+  const double spacing = coarseness * step;
+  // To resolve a shell that lies in another one, or is inside out, nothing has to move at first.
+  const std::vector<std::uint8_t> near = shell_is_wrong_ && before_.largest() == 0
+                                             ? std::vector<std::uint8_t>(rounded_.point.size(), 0)
+                                             : vertices_near_stuck(spacing);
+  TriangleSoup soup;
+  for (std::uint32_t v = 0; v < rounded_.point.size(); ++v) {
+    const Vec3& p = rounded_.position(v);
+    soup.positions.push_back(
+        near[v] != 0 ? grid_.nearest({snap(p.x, spacing), snap(p.y, spacing), snap(p.z, spacing)})
+                     : p);
+  }
+  for (std::uint32_t v = 0; v < rounded_.point.size(); ++v) {
+    const Vec3& to = soup.positions[repair_ ? repair_->gone_to(v) : v];
+    moved.add(to, move_of(v, to));
+  }
+  for (std::uint32_t t = 0; t < rounded_.corners.size(); ++t) {
+    if (rounded_.alive[t] == 0) continue;
+    soup.corners.push_back(rounded_.corners[t]);
+    soup.source.push_back(rounded_.source[t]);
+  }
+  return resolved(soup, {options_.cancel, {}});
+}
+
+}  // namespace sectile
