@@ -159,14 +159,15 @@ TEST(App, SavesAndOpensAgain) {
   EXPECT_EQ(only_solid(second).volume(), 4);
 }
 
-TEST(App, ABadFileGivesAMessageAndChangesNothing) {
+TEST(App, AnUnreadableFileGivesAMessageAndChangesNothing) {
   const std::filesystem::path path = file("bad.obj");
-  std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n";
   AppDriver driver;
   driver.drop(path);
   EXPECT_EQ(driver.scene().size(), 0u);
-  EXPECT_NE(driver.app().last_message().find("not a closed solid"), std::string::npos);
+  EXPECT_NE(driver.app().last_message().find("bad.obj: "), std::string::npos);
   EXPECT_TRUE(driver.app().has_widget("message.0"));
+  EXPECT_FALSE(driver.app().has_widget("panel.repair"));
   EXPECT_EQ(driver.faults(), "");
 }
 

@@ -151,10 +151,10 @@ class App::Implementation {
     const float menu = options_.show_interface ? 15 + 8 : 0;
     const bool steps = session_.mode() == Mode::steps;
     const double left = steps ? session_.view.left_steps : session_.view.left_model;
-    layout_ =
-        make_layout(io.DisplaySize.x, io.DisplaySize.y,
-                    {menu, steps, session_.view.hints, session_.tour.is_on(),
-                     static_cast<float>(left), static_cast<float>(session_.view.right_steps)});
+    layout_ = make_layout(
+        io.DisplaySize.x, io.DisplaySize.y,
+        {menu, steps, session_.view.hints, session_.tour.is_on(), session_.repair.is_open(),
+         static_cast<float>(left), static_cast<float>(session_.view.right_steps)});
     if (!options_.show_interface) layout_.picture = {0, 0, io.DisplaySize.x, io.DisplaySize.y};
     session_.picture_size = {layout_.picture.width, layout_.picture.height};
   }
@@ -193,6 +193,7 @@ class App::Implementation {
   }
 
   void escape() {
+    if (session_.repair.is_open()) return session_.give_up_repair();
     if (navigation_.escape(session_)) return;
     if (!session_.document.has_draft()) return session_.select(0);
     // A field that is being dragged.
@@ -206,14 +207,12 @@ class App::Implementation {
     ImGui::PushFont(fonts_.regular);
     draw_menu_bar(context);
     draw_tool_bar(context);
-    draw_scene_tree(context);
-    if (layout_.properties.height > 0) draw_properties(context);
+    draw_left_side(context);
     if (session_.mode() == Mode::steps && layout_.inspector.width > 0) {
       draw_inspector(context);
       draw_time_line(context);
     }
     draw_tour(context);
-    draw_splitters(context);
     draw_legend(context);
     draw_hint_strip(context);
     draw_view_panel(context);
@@ -235,6 +234,13 @@ class App::Implementation {
     picture.surface = true;
     widgets_.record("picture", picture);
     navigation_.record(widgets_, session_, layout_.picture);
+  }
+
+  void draw_left_side(PanelContext& context) {
+    if (session_.repair.is_open()) return draw_repair(context);
+    draw_scene_tree(context);
+    if (layout_.properties.height > 0) draw_properties(context);
+    draw_splitters(context);
   }
 
   void follow_step() {
@@ -376,8 +382,8 @@ void App::open_sample(const std::string& name) {
 void App::start(Scene scene, const std::filesystem::path& path) {
   implementation_->session().start(std::move(scene), path);
 }
-void App::add(const std::filesystem::path& path, std::shared_ptr<const PolygonMesh> mesh) {
-  implementation_->session().add_imported(path, std::move(mesh));
+void App::add(const std::filesystem::path& path, std::vector<MeshPart> parts) {
+  implementation_->session().add_imported(path, std::move(parts));
 }
 const Scene& App::scene() const {
   return implementation_->session().scene();

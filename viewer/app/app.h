@@ -11,6 +11,7 @@
 #include "events/input.h"
 #include "picture/picture.h"
 #include "render/renderer.h"
+#include "scene/mesh_parts.h"
 #include "scene/scene.h"
 
 namespace sectile::viewer {
@@ -49,7 +50,7 @@ class App {
   void open(const std::filesystem::path& path);  ///< a scene or a mesh; errors appear in the window
   void open_sample(const std::string& name);
   void start(Scene scene, const std::filesystem::path& path);  ///< as it was read from a file
-  void add(const std::filesystem::path& path, std::shared_ptr<const PolygonMesh> mesh);
+  void add(const std::filesystem::path& path, std::vector<MeshPart> parts);
   const Scene& scene() const;
   const Camera& camera() const;
   void set_camera(const Camera& camera);

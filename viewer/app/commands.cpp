@@ -137,7 +137,19 @@ std::string key_names(const Command& command) {
   return names;
 }
 
+namespace {
+
+/// While a mesh is being repaired the scene is not seen, and stays as it is.
+bool looks_only(const std::string& name) {
+  for (const char* other : {"view.measure", "view.section_tool", "view.isolate"})
+    if (name == other) return false;
+  return name.starts_with("view.") || name.starts_with("help.") || name == "file.quit";
+}
+
+}  // namespace
+
 bool is_enabled(const Command& command, const Session& session) {
+  if (session.repair.is_open() && !looks_only(command.name)) return false;
   return !command.can_run || command.can_run(session);
 }
 

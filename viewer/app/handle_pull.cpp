@@ -84,7 +84,7 @@ std::optional<Handles> handles_of(const Session& session) {
 
 std::optional<Handles> handles_of(const Session& session, bool own_axes) {
   const NodeId id = session.selected();
-  if (session.mode() != Mode::model || !session.scene().find(id)) return std::nullopt;
+  if (!session.is_modelling() || !session.scene().find(id)) return std::nullopt;
   Transform world = session.scene().world(id);
   const glm::dvec3 pivot = pivot_of(session, {world.m[3], world.m[7], world.m[11]});
   world.m[3] = pivot.x, world.m[7] = pivot.y, world.m[11] = pivot.z;

@@ -21,7 +21,9 @@ Layout make_layout(float width, float height, const LayoutOptions& options) {
   const float usual_left = steps && !options.tour ? std::clamp(width * 0.15f, 150.0f, 240.0f)
                                                   : std::clamp(width * 0.21f, 232.0f, 320.0f);
   const float usual_right = std::clamp(width * 0.36f, 404.0f, 560.0f);
-  const float left = std::round(wished(options.left, usual_left, 120, width * 0.45f));
+  const float left = options.repair
+                         ? std::round(std::clamp(width * 0.34f, 340.0f, 460.0f))
+                         : std::round(wished(options.left, usual_left, 120, width * 0.45f));
   const float right =
       steps ? std::round(wished(options.right, usual_right, 240, width - left - least_picture)) : 0;
   const float bottom = steps ? time_line_height : 0;
@@ -37,6 +39,7 @@ Layout make_layout(float width, float height, const LayoutOptions& options) {
   layout.tool_bar = {0, options.menu_height, width, tool_bar_height};
   layout.tree = {0, top, left, tree_height};
   layout.properties = {0, top + tree_height, left, steps ? 0 : inner - tree_height};
+  if (options.repair) layout.repair = {0, top, left, inner};
   if (tour) layout.tour = {0, top + tree_height, left, inner - tree_height};
   layout.picture = {left, top, middle, inner - hints};
   layout.hints = {left, top + inner - hints, middle, hints};

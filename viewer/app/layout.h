@@ -11,7 +11,7 @@ struct Rectangle {
 };
 
 struct Layout {
-  Rectangle tool_bar, tree, properties, picture, hints, inspector, time_line, status, tour;
+  Rectangle tool_bar, tree, properties, picture, hints, inspector, time_line, status, tour, repair;
 };
 
 struct LayoutOptions {
@@ -19,6 +19,7 @@ struct LayoutOptions {
   bool steps = false;         ///< inspector and time line instead of the properties
   bool hints = false;         ///< a strip below the picture
   bool tour = false;          ///< below the tree, in the steps
+  bool repair = false;        ///< instead of the tree and the properties
   float left = 0, right = 0;  ///< widths that a person dragged the panels to; 0: as usual
 };
 

@@ -148,7 +148,7 @@ void Navigation::State::begin_drag(Session& session, glm::dvec2 at) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool pans = button == 1 || (button == 2 && io.KeyShift);
   gesture = pans ? Gesture::pan : Gesture::orbit;
-  if (button != 0 || !io.KeyShift || session.tool || session.mode() != Mode::model) return;
+  if (button != 0 || !io.KeyShift || session.tool || !session.is_modelling()) return;
   const glm::dvec2 way(io.MousePos.x - pressed_at.x, io.MousePos.y - pressed_at.y);
   session.begin_tool(std::make_unique<BoxSelect>(at - way));
   gesture = Gesture::none;
@@ -181,10 +181,10 @@ void Navigation::State::release(Session& session, glm::dvec2 at, glm::dvec2 size
   }
   if (gesture == Gesture::pressed && button == 1) {
     const NodeId hit = clicked_node(session, picker, session.camera.ray(at, size), Depth::outer);
-    if (session.mode() == Mode::model && !is_selected_above(session, hit)) session.select(hit);
-    session.context_menu = true;
+    if (session.is_modelling() && !is_selected_above(session, hit)) session.select(hit);
+    session.context_menu = !session.repair.is_open();
   }
-  if (gesture == Gesture::pressed && button == 0 && session.mode() == Mode::model)
+  if (gesture == Gesture::pressed && button == 0 && session.is_modelling())
     session.select(clicked_node(session, picker, session.camera.ray(at, size), Depth::outer),
                    io.KeyShift || io.KeyCtrl);
   gesture = Gesture::none;
@@ -217,6 +217,10 @@ void Navigation::update(Session& session, const Rectangle& place) {
   const glm::dvec2 size(place.width, place.height);
   const glm::dvec2 at(io.MousePos.x - place.x, io.MousePos.y - place.y);
   session.pointer = at;
+  if (session.repair.is_open() && state.drag) {
+    state.drag.reset();
+    state.gesture = Gesture::none;
+  }
   const bool over = place.contains(io.MousePos.x, io.MousePos.y) && !io.WantCaptureMouse;
   if (over && io.MouseWheel != 0)
     session.camera.zoom(std::pow(zoom_per_notch, static_cast<double>(io.MouseWheel)), at, size);
@@ -232,8 +236,7 @@ void Navigation::update(Session& session, const Rectangle& place) {
   if (state.gesture == Gesture::none && over) {
     for (const int button : {0, 1, 2})
       if (ImGui::IsMouseClicked(button)) state.press(session, at, button);
-    if (ImGui::IsMouseDoubleClicked(0) && !state.drag && !session.tool &&
-        session.mode() == Mode::model) {
+    if (ImGui::IsMouseDoubleClicked(0) && !state.drag && !session.tool && session.is_modelling()) {
       const NodeId hit =
           clicked_node(session, state.picker, session.camera.ray(at, size), Depth::inner);
       if (hit) session.select(hit);

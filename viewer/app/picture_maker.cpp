@@ -221,8 +221,11 @@ const Picture& PictureMaker::steps(const Session& session) {
 Picture PictureMaker::make(const Session& session) {
   const ViewSettings& view = session.view;
   const bool tells = session.mode() == Mode::steps && session.player.story();
-  Picture picture = tells ? steps(session) : model(session);
-  if (tells && view.wireframe)
+  const bool repairs = session.repair.is_open();
+  Picture picture = repairs ? picture_of(session.repair, theme(view.dark))
+                    : tells ? steps(session)
+                            : model(session);
+  if ((tells || repairs) && view.wireframe)
     for (Surface& surface : picture.surfaces) {
       surface.faces = false;
       surface.all_edges = true;
@@ -260,6 +263,7 @@ void PictureMaker::outline_section(Picture& picture) {
 }
 
 Bounds Session::bounds_shown(bool selected_only) const {
+  if (repair.is_open()) return picture_of(repair, theme(view.dark)).bounds();
   if (mode_ == Mode::steps && player.story())
     return player.picture({view.eight_way, view.exploded, false, view.dark}).bounds();
   const auto is_meant = [&](NodeId id) {

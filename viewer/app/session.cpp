@@ -81,6 +81,10 @@ Selection Session::topmost_selected() const {
   return scene().topmost(selection());
 }
 
+bool Session::is_modelling() const {
+  return mode_ == Mode::model && !repair.is_open();
+}
+
 void Session::set_mode(Mode wanted) {
   if (wanted == Mode::steps && story_node() == 0) {
     messages.error(
@@ -128,7 +132,7 @@ Bounds Session::bounds_of_all() const {
 void Session::show_section(bool on, int axis) {
   view.section = on;
   view.section_axis = axis;
-  const Bounds bounds = bounds_of_all();
+  const Bounds bounds = repair.is_open() ? bounds_shown(false) : bounds_of_all();
   if (!on || view.section_oblique || bounds.is_empty()) return;
   const double low = bounds.low[axis], high = bounds.high[axis];
   if (view.section_place <= low || view.section_place >= high)

@@ -19,12 +19,14 @@
 #include "app/profile_editor.h"
 #include "app/recent_files.h"
 #include "app/recording.h"
+#include "app/repair_bench.h"
 #include "app/story_player.h"
 #include "app/tour_guide.h"
 #include "app/view_settings.h"
 #include "evaluation/evaluator.h"
 #include "picture/camera.h"
 #include "scene/handles.h"
+#include "scene/mesh_parts.h"
 
 namespace sectile::viewer {
 
@@ -69,10 +71,12 @@ class Session {
 
   void new_scene();
   void start(Scene scene, std::filesystem::path path);  ///< as it was read from a file
-  void add_imported(const std::filesystem::path& path, std::shared_ptr<const PolygonMesh> mesh);
+  void add_imported(const std::filesystem::path& path, std::vector<MeshPart> parts);
   // Files are read and exported in the background; what went wrong becomes a message.
   void open(const std::filesystem::path& path);    ///< replaces a scene, adds a mesh
   void import(const std::filesystem::path& path);  ///< adds a mesh
+  void take_repaired();   ///< the solid of the preview comes into the scene
+  void give_up_repair();  ///< nothing of the mesh does
   void open_sample(const std::string& name);
   bool save(const std::filesystem::path& path);
   void offer_recovery(
@@ -117,6 +121,8 @@ class Session {
   // --- Looking ---
   void set_mode(Mode wanted);
   Mode mode() const { return mode_; }
+  /// The picture shows the scene, and what is clicked there is meant.
+  bool is_modelling() const;
   void look_at_selection();
   /// Shows only what is selected, or everything again.
   void isolate_selected();
@@ -186,6 +192,7 @@ class Session {
   RecordingPlan recording_plan;
   std::optional<Recording> recording;  ///< under way
   ProfileEditor profile;
+  RepairBench repair;                 ///< of files that are no solids
   bool context_menu = false;          ///< is to open where the pointer is
   std::unique_ptr<PictureTool> tool;  ///< null: none
   glm::dvec2 pointer{0};              ///< where the mouse is in the picture
@@ -215,13 +222,17 @@ class Session {
   void frame_once_computed();
   std::vector<Solid> operands_of(const Node& node) const;
   void recover(const LostWork& work);
+  void take_parts(const std::filesystem::path& path, std::vector<MeshPart> parts,
+                  std::vector<BrokenMesh> broken);
+  void look_at_repair();
 
   Evaluator evaluator_;
   FileWork files_;
   std::shared_ptr<const Evaluation> evaluation_;
   std::uint64_t seen_revision_ = 0, newest_request_ = 0;
   Mode mode_ = Mode::model;
-  Selection isolated_;       ///< empty: everything is shown
+  Selection isolated_;  ///< empty: everything is shown
+  Camera camera_before_repair_;
   bool frame_next_ = false;  ///< look at everything as soon as it is computed
   std::map<NodeId, std::string> told_errors_;
   std::map<NodeId, SolidNumbers> numbers_;

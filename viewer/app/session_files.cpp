@@ -3,6 +3,7 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "app/samples_menu.h"
 #include "app/session.h"
@@ -27,18 +28,21 @@ std::string about_file(const std::string& error) {
   return std::filesystem::path(place).filename().string() + ": " + line + error.substr(colon + 2);
 }
 
-// Makes sure that a mesh bounds a solid before it comes into the scene.
-std::shared_ptr<const PolygonMesh> read_solid(const std::filesystem::path& path) {
-  auto mesh = std::make_shared<const PolygonMesh>(read_mesh(path));
-  const std::string name = path.filename().string();
-  try {
-    if (Solid::from_mesh(*mesh).is_empty())
-      throw std::runtime_error(name + " holds no solid: it has no faces.");
-  } catch (const InvalidSolid& error) {
-    throw std::runtime_error(name + " is not a closed solid: " + error.what() +
-                             " Mend the mesh where it was made, then open it again.");
-  }
-  return mesh;
+/// Takes those that bound no solid out of the parts.
+std::vector<BrokenMesh> take_broken(const std::filesystem::path& path,
+                                    std::vector<MeshPart>& parts) {
+  std::vector<BrokenMesh> broken;
+  std::erase_if(parts, [&](const MeshPart& part) {
+    try {
+      return Solid::from_mesh(*part.mesh).is_empty();
+    } catch (const InvalidSolid& error) {
+      broken.push_back({path, part, std::make_shared<const InvalidSolid>(error)});
+      return true;
+    }
+  });
+  if (parts.empty() && broken.empty())
+    throw std::runtime_error(path.filename().string() + " holds no solid: it has no faces.");
+  return broken;
 }
 
 }  // namespace
@@ -85,24 +89,78 @@ void Session::open(const std::filesystem::path& path) {
 void Session::import(const std::filesystem::path& path) {
   in_background(FileWork::Kind::reading, "Reading " + path.filename().string() + "\u2026",
                 [this, path]() -> FileWork::Finish {
-                  const auto mesh = read_solid(path);
-                  return [this, path, mesh] { add_imported(path, mesh); };
+                  std::vector<MeshPart> parts = read_parts(path);
+                  std::vector<BrokenMesh> broken = take_broken(path, parts);
+                  return [this, path, parts, broken] { take_parts(path, parts, broken); };
                 });
 }
 
-void Session::add_imported(const std::filesystem::path& path,
-                           std::shared_ptr<const PolygonMesh> mesh) {
+void Session::take_parts(const std::filesystem::path& path, std::vector<MeshPart> parts,
+                         std::vector<BrokenMesh> broken) {
+  if (!parts.empty()) add_imported(path, std::move(parts));
+  if (broken.empty()) return;
+  if (!repair.is_open()) {
+    end_tool();
+    document.drop_draft();
+    set_mode(Mode::model);
+    camera_before_repair_ = camera;
+  }
+  for (BrokenMesh& mesh : broken) repair.put(std::move(mesh));
+}
+
+void Session::add_imported(const std::filesystem::path& path, std::vector<MeshPart> parts) {
   const bool first = scene().size() == 0;
-  NodeId added = 0;
+  Selection added;
   const bool done = change("Import", [&](Scene& changed) {
-    Node node;
-    node.name = path.stem().string();
-    node.what = Imported{path, std::move(mesh)};
-    added = changed.add(std::move(node));
+    for (MeshPart& part : parts) {
+      Node node;
+      node.name = std::move(part.name);
+      node.colour = part.colour;
+      node.what = Imported{path, std::move(part.mesh)};
+      added.push_back(changed.add(std::move(node)));
+    }
   });
-  if (done) recent.add(path);
-  if (done) select(added);
-  if (done && first) frame_next_ = true;
+  if (!done) return;
+  recent.add(path);
+  select(std::move(added));
+  if (first) frame_next_ = true;
+}
+
+void Session::take_repaired() {
+  const std::shared_ptr<const RepairPreview> preview = repair.shared_preview();
+  if (!preview || !preview->mesh) return;
+  MeshPart part = repair.subject().part;
+  const std::filesystem::path path = repair.subject().path;
+  part.mesh = preview->mesh;
+  repair.close();
+  const std::string name = part.name;
+  add_imported(path, {std::move(part)});
+  std::string done;
+  for (const RepairChange& change : preview->report.changes)
+    done += (done.empty() ? ": " : "; ") + in_words(change);
+  messages.tell(name + " was repaired" + done + ".");
+}
+
+void Session::give_up_repair() {
+  repair.close();
+  if (!repair.is_open()) camera = camera_before_repair_;
+}
+
+void Session::look_at_repair() {
+  if (!std::exchange(repair.looks, false) || !repair.defects()) return;
+  const MeshDefects& defects = *repair.defects();
+  Bounds bounds = defects.bounds;
+  if (repair.lit >= 0) {
+    const MeshDefect& defect = defects.list.at(static_cast<std::size_t>(repair.lit));
+    if (defect.bounds.is_empty()) return;
+    // Of large faces that cross, the place where they do; of a place alone, some of what is around.
+    const bool in_part = defect.kind == MeshDefect::Kind::contact && defect.place;
+    const glm::dvec3 centre = in_part ? *defect.place : defect.bounds.centre();
+    double around = std::max(0.7 * defect.bounds.radius(), 0.06 * bounds.radius());
+    if (in_part) around = std::min(around, 0.3 * bounds.radius());
+    bounds = {centre - glm::dvec3(around), centre + glm::dvec3(around)};
+  }
+  look_at(bounds);
 }
 
 void Session::open_sample(const std::string& name) {

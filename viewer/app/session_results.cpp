@@ -9,6 +9,8 @@ void Session::update(double seconds, bool wait) {
   if (!selection().empty() || mode_ == Mode::steps) presented = 0;
   messages.pass(seconds);
   files_.finish(wait);
+  repair.update(wait);
+  look_at_repair();
   evaluate();
   if (wait) evaluator_.wait();
   take_evaluation();
@@ -139,7 +141,7 @@ std::string Session::why_no_story() const {
 
 bool Session::is_busy() const {
   return recording.has_value() || evaluator_.is_busy() || document.revision() != seen_revision_ ||
-         files_.is_busy() || (mode_ == Mode::steps && player.is_busy());
+         files_.is_busy() || repair.is_busy() || (mode_ == Mode::steps && player.is_busy());
 }
 
 std::string Session::activity() const {
@@ -147,6 +149,7 @@ std::string Session::activity() const {
     return "Recording " + std::to_string(recording->done()) + " of " +
            std::to_string(recording->frames()) + "\u2026";
   if (files_.is_busy()) return files_.activity();
+  if (repair.is_busy()) return repair.activity();
   if (evaluator_.is_busy()) return "Computing the result\u2026";
   if (mode_ == Mode::steps && player.is_busy()) return "Telling the steps\u2026";
   return {};
@@ -155,6 +158,7 @@ std::string Session::activity() const {
 double Session::progress() const {
   if (recording)
     return static_cast<double>(recording->done()) / static_cast<double>(recording->frames());
+  if (repair.is_busy()) return repair.progress();
   return evaluator_.is_busy() ? evaluator_.progress() : 0;
 }
 
@@ -165,6 +169,7 @@ void Session::cancel() {
     messages.tell("Cancelled. Nothing was recorded.");
     return;
   }
+  if (repair.is_busy()) return repair.cancel();
   const bool reading = files_.is_busy();
   files_.give_up_reading();
   evaluator_.cancel();

@@ -9,6 +9,9 @@ constexpr const char* gestures =
     "Right click: menu";
 
 std::string next_step(const Session& session) {
+  if (session.repair.is_open())
+    return "Next: look through what is wrong, choose how it is repaired and compare Before and "
+           "After. Cancel leaves the scene as it is.";
   const std::size_t roots = session.scene().roots().size();
   if (session.mode() == Mode::steps)
     return "Next: press Right to go one step on, N for the next special case, Space to play. "

@@ -28,6 +28,7 @@ void draw_file_browser(PanelContext& context);
 void draw_questions(PanelContext& context);
 void draw_help(PanelContext& context);
 void draw_tour(PanelContext& context);
+void draw_repair(PanelContext& context);
 
 /// The spherical picture of a step with a caption, as large as it fits.
 void draw_sphere(PanelContext& context, const Step& step, float width, float height);

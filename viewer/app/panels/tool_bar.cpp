@@ -45,7 +45,9 @@ void mode_tab(PanelContext& context, const char* name) {
   ImGui::PushStyleColor(ImGuiCol_Button, colour);
   if (on) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colour);
   if (on) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 1, 1, 1));
+  ImGui::BeginDisabled(!is_enabled(command, context.session));
   const bool pressed = ImGui::Button((text + "##" + name).c_str(), size);
+  ImGui::EndDisabled();
   ImGui::PopStyleColor(on ? 3 : 1);
   context.widgets.record_item(name, true, size.x - 20);
   ImGui::PopFont();

@@ -1,0 +1,23 @@
+// The meshes of a file, as they come into a scene: one node for each.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace sectile::viewer {
+
+struct MeshPart {
+  std::string name;
+  std::optional<NodeColour> colour;
+  std::shared_ptr<const PolygonMesh> mesh;
+};
+
+/// What has no name in the file is called after it. Throws FileError.
+std::vector<MeshPart> read_parts(const std::filesystem::path& path);
+
+}  // namespace sectile::viewer
