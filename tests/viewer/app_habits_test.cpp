@@ -179,19 +179,33 @@ TEST(Menus, CloseWithEscapeAndKeepTheSelection) {
   EXPECT_EQ(driver.session().selected(), 0u);
 }
 
-// Left and Right do not yet go from one menu to the next while the mouse rests on the first.
-TEST(Menus, DISABLED_AreWalkedByArrowKeys) {
+TEST(Menus, AreWalkedByArrowKeys) {
   AppDriver driver;
-  driver.press("menu.view");
-  ASSERT_TRUE(driver.app().has_widget("menu:view.frame"));
+  driver.press("menu.steps");
+  ASSERT_TRUE(driver.app().has_widget("menu:mode.steps"));
   driver.key(Key::down);
   driver.key(Key::right);
-  EXPECT_FALSE(driver.app().has_widget("menu:view.frame"));
+  EXPECT_FALSE(driver.app().has_widget("menu:mode.steps"));
   ASSERT_TRUE(driver.app().has_widget("sample:fig01")) << "the menu to the right";
   driver.key(Key::down);
   driver.key(Key::enter);
   EXPECT_FALSE(driver.app().has_widget("sample:fig01"));
-  EXPECT_FALSE(driver.scene().is_empty()) << "the first sample was chosen";
+  EXPECT_FALSE(driver.scene().is_empty()) << "a sample was chosen";
+}
+
+TEST(Menus, AreWalkedAroundTheirEndsAndBack) {
+  AppDriver driver;
+  driver.press("menu.file");
+  driver.key(Key::left);
+  EXPECT_TRUE(driver.app().has_widget("menu:help.keys")) << "before the first stands the last";
+  driver.key(Key::right);
+  EXPECT_TRUE(driver.app().has_widget("menu:file.open"));
+  driver.key(Key::right);
+  EXPECT_TRUE(driver.app().has_widget("menu:edit.undo"));
+  driver.key(Key::left);
+  EXPECT_TRUE(driver.app().has_widget("menu:file.open"));
+  driver.key(Key::escape);
+  EXPECT_FALSE(driver.app().has_widget("menu:file.open"));
 }
 
 TEST(Section, StartsWhereItCutsSomething) {

@@ -166,6 +166,7 @@ class App::Implementation {
         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags = menu_was_open_ ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
+    if (menu_was_open_) interface_input::let_enter_activate();
   }
 
   void react(const std::vector<Event>& fed) {

@@ -91,6 +91,8 @@ void put_focus_lost() {
   io.AddFocusEvent(false);
 }
 
+void let_enter_activate() {}  // it does
+
 bool was_pressed(Key key) {
   const int theirs = imgui_key(key);
   return theirs >= 0 && ImGui::IsKeyPressed(static_cast<ImGuiKey>(theirs), false);
@@ -132,6 +134,11 @@ void put_focus_lost() {
   for (bool& down : io.KeysDown) down = false;
   put_modifiers(false, false, false);
   io.AddFocusEvent(false);
+}
+
+void let_enter_activate() {
+  ImGuiIO& io = ImGui::GetIO();
+  if (io.KeysDown[static_cast<int>(Key::enter)]) io.NavInputs[ImGuiNavInput_Activate] = 1;
 }
 
 bool was_pressed(Key key) {

@@ -21,6 +21,9 @@ void put_text(const std::string& text);
 /// Nothing is held down any more, and menus close.
 void put_focus_lost();
 
+/// Where the keyboard's mark stands on an item, Enter presses it as Space does. Before the frame.
+void let_enter_activate();
+
 /// Was the key pressed in this frame (not held)?
 bool was_pressed(Key key);
 

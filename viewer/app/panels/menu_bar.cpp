@@ -23,11 +23,21 @@ bool begin_menu(PanelContext& context, const std::string& name, const std::strin
   return ImGui::BeginMenu(text.c_str(), enabled);
 }
 
-void recent_files(PanelContext& context) {
+/// `aside` becomes true if the keyboard's mark stands on it or beyond it: Left and Right are for
+/// the way to the side then.
+bool begin_submenu(PanelContext& context, const std::string& text, bool& aside,
+                   bool enabled = true) {
+  const bool marked = ImGui::GetFocusID() == ImGui::GetID(text.c_str());
+  const bool open = begin_menu(context, "submenu." + text, text, enabled);
+  aside |= open || (marked && enabled);
+  return open;
+}
+
+void recent_files(PanelContext& context, bool& aside) {
   Session& session = context.session;
   const std::vector<std::filesystem::path> files = session.recent.list();
   ImGui::Separator();
-  if (!begin_menu(context, "submenu.Recent files", "Recent files", !files.empty())) return;
+  if (!begin_submenu(context, "Recent files", aside, !files.empty())) return;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string folder = files[i].parent_path().string();
     if (ImGui::MenuItem((files[i].filename().string() + "##" + std::to_string(i)).c_str(),
@@ -41,7 +51,7 @@ void recent_files(PanelContext& context) {
   ImGui::EndMenu();
 }
 
-void draw_menu(PanelContext& context, const CommandMenu& menu) {
+void draw_menu(PanelContext& context, const CommandMenu& menu, bool& aside) {
   if (!begin_menu(context, menu.name, menu.title)) return;
   std::string submenu;
   bool shown = true;
@@ -49,7 +59,7 @@ void draw_menu(PanelContext& context, const CommandMenu& menu) {
     if (wanted == submenu) return;
     if (!submenu.empty() && shown) ImGui::EndMenu();
     submenu = wanted;
-    shown = submenu.empty() || begin_menu(context, "submenu." + submenu, submenu);
+    shown = submenu.empty() || begin_submenu(context, submenu, aside);
   };
   for (const Command& command : menu.commands) {
     if (!command.in_menu) continue;
@@ -59,7 +69,7 @@ void draw_menu(PanelContext& context, const CommandMenu& menu) {
     command_item(context, command.name);
   }
   enter({});
-  if (menu.name == "menu.file") recent_files(context);
+  if (menu.name == "menu.file") recent_files(context, aside);
   ImGui::EndMenu();
 }
 
@@ -95,8 +105,10 @@ void walk_along_menus(const std::vector<std::string>& titles) {
                                                                    : 0;
   for (std::size_t i = 0; by != 0 && i < count; ++i) {
     if (!ImGui::IsPopupOpen(titles[i].c_str())) continue;
-    // The mouse may still rest on the title of the menu before, which would open it again.
+    // The mouse may still rest on the title of the menu before, which would open it again; and
+    // ImGui would take the key for a walk along the titles, which closes what is open.
     ImGui::GetCurrentContext()->NavDisableMouseHover = true;
+    ImGui::NavMoveRequestCancel();
     return ImGui::OpenPopup(titles[(i + by) % count].c_str());
   }
 }
@@ -107,11 +119,12 @@ float draw_menu_bar(PanelContext& context) {
   if (!ImGui::BeginMainMenuBar()) return 0;
   const float height = ImGui::GetWindowHeight();
   context.widgets.record_window("panel.menu_bar");
-  walk_along_menus(menu_titles(context));
+  bool aside = false;
   for (const CommandMenu& menu : context.commands.menus()) {
     if (&menu == &context.commands.menus().back()) samples_menu(context);
-    draw_menu(context, menu);
+    draw_menu(context, menu, aside);
   }
+  if (!aside) walk_along_menus(menu_titles(context));
   ImGui::EndMainMenuBar();
   return height;
 }
