@@ -55,6 +55,9 @@ void add_rounding(CLI::App& command, Options& options) {
           "written (default: any distance, always the least that leaves a legal solid)")
       ->check(CLI::NonNegativeNumber)
       ->type_name("DISTANCE");
+  command.add_flag("--separate-touching", options.separate_touching,
+                   "move what touches in a vertex or an edge only apart by a step of the file's "
+                   "numbers or a few, so that the mesh is a manifold");
 }
 
 void add_output_format(CLI::App& command, Options& options) {

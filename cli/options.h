@@ -17,6 +17,7 @@ struct Options {
   bool quiet = false;
   bool validate = false;
   bool repair = false;
+  bool separate_touching = false;
   std::optional<unsigned> threads;
   std::optional<double> max_move;
   std::optional<FileFormat> input_format, output_format;
@@ -28,7 +29,7 @@ void add_validate(CLI::App& command, Options& options, const std::string& help);
 void add_repair(CLI::App& command, Options& options);
 void add_input_format(CLI::App& command, Options& options);
 void add_output_format(CLI::App& command, Options& options);
-/// --max-move.
+/// --max-move and --separate-touching.
 void add_rounding(CLI::App& command, Options& options);
 
 }  // namespace sectile::cli

@@ -120,6 +120,7 @@ Command add_repair_command(CLI::App& program, Options& options) {
   add_switch(*app, "--dry-run", arguments->dry_run, "say what would be done, write nothing");
   add_input_format(*app, options);
   add_output_format(*app, options);
+  add_rounding(*app, options);
   add_validate(*app, options, "check also the file written");
   add_reporting(*app, options);
   return {app, [=, &options] { return run(*arguments, options); }};

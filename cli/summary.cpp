@@ -43,6 +43,8 @@ std::string in_words(const Written& written) {
   if (rounding.moved > 0)
     text += "; " + counted(rounding.moved, "corner") + " rounded, by " +
             in_words(rounding.largest_move) + " at most";
+  if (rounding.separated > 0)
+    text += "; " + counted(rounding.separated, "corner") + " separated from others";
   if (rounding.resolved > 0)
     text += "; faces that could not be kept apart in the numbers of the file were united";
   return text;
@@ -58,6 +60,7 @@ Json to_json(const Written& written) {
                       {"displaced", rounding.displaced},
                       {"merged", rounding.merged},
                       {"flipped", rounding.flipped},
+                      {"separated", rounding.separated},
                       {"resolved", rounding.resolved},
                       {"largest_move", rounding.largest_move},
                       {"median_move", rounding.median_move}};

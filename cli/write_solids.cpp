@@ -36,6 +36,7 @@ class SolidWriter {
   RoundedMesh round(const std::string& name, const Solid& solid, FileFormat format) const {
     Rounding rounding;
     rounding.numbers = numbers_of(format);
+    rounding.separate_touching = options_.separate_touching;
     if (options_.max_move) rounding.max_move = *options_.max_move;
     rounding.progress = [&](double done) { progress_.fraction(done); };
     try {

@@ -32,6 +32,8 @@ class LocalChanges {
   bool flip(std::uint32_t triangle, std::size_t k);
   /// Is less wrong with the triangles that the change concerns than before?
   bool is_better() const { return faults(concerned_, before_) < before_; }
+  /// Is nothing wrong with them?
+  bool is_free() const { return faults(concerned_, 1) == 0; }
   void keep();
   void undo();
 

@@ -6,6 +6,7 @@
 #include "geometry/axes.h"
 #include "import/soup.h"
 #include "rounding/resolved.h"
+#include "rounding/separation.h"
 #include "search/box_tree.h"
 #include "sectile/errors.h"
 
@@ -54,8 +55,9 @@ bool RoundingAttempt::run() {
       if (!stuck_.empty()) return false;
     }
   }
+  if (options_.separate_touching) separated_ = Separation(rounded_, kernel_, grid_).run(options_);
   make_mesh();
-  if (!rounded_.anything_moved() || triangle_.empty()) return true;
+  if ((!rounded_.anything_moved() && separated_ == 0) || triangle_.empty()) return true;
   const std::uint32_t wrong = wrong_shell();
   if (wrong == none) return true;
   stuck_ = {wrong};
@@ -159,6 +161,7 @@ void RoundingAttempt::note_report(RoundingReport& report) const {
     report.merged += repair_->merged();
     report.flipped += repair_->flipped();
   }
+  report.separated = separated_;
   report.largest_move = before_.largest();
   report.largest_at = before_.largest_at();
   std::vector<double> moves;

@@ -49,6 +49,7 @@ class RoundingAttempt {
   std::optional<RoundingRepair> repair_;
   std::vector<std::uint32_t> stuck_;  // triangles
   bool shell_is_wrong_ = false;
+  std::size_t separated_ = 0;
   PolygonMesh mesh_;
   std::vector<FaceSource> sources_;
   std::vector<std::uint32_t> triangle_;  // per face of the mesh

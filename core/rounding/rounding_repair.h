@@ -30,6 +30,7 @@ class RoundingRepair {
 
   /// The vertex to which a vertex was joined, at last.
   std::uint32_t gone_to(std::uint32_t vertex) const {
+    if (vertex >= gone_to_.size()) return vertex;  // came later
     while (gone_to_[vertex] != vertex) vertex = gone_to_[vertex];
     return vertex;
   }

@@ -7,11 +7,13 @@
 #include "sectile/rounding.h"
 #include "sectile/sectile.h"
 #include "unit/exact_mesh_checker.h"
+#include "unit/manifold_check.h"
 
 namespace sectile {
 namespace {
 
 using test::ExactMeshChecker;
+using test::manifold_fault;
 using Numbers = Rounding::Numbers;
 
 Rounding to(Numbers numbers, double spacing = 1) {
@@ -108,6 +110,76 @@ TEST(Rounding, BoundsTheDisplacement) {
   Rounding rounding = to(Numbers::grid, 0.5);
   rounding.max_move = 1e-3;
   EXPECT_THROW(rounded_mesh(sphere(10, 24, 12), rounding), RoundingFailed);
+}
+
+// Everything moves by steps only, and what does not touch stays.
+void expect_manifold(const Solid& solid, std::size_t least_separated) {
+  for (const Numbers numbers : {Numbers::doubles, Numbers::floats, Numbers::grid}) {
+    Rounding rounding = to(numbers, 0x1p-12);
+    rounding.separate_touching = true;
+    const RoundedMesh rounded = expect_legal(solid, rounding);
+    EXPECT_EQ(manifold_fault(rounded.mesh), "");
+    EXPECT_GE(rounded.report.separated, least_separated);
+    const double step = numbers == Numbers::grid ? 0x1p-12 : unit_of(rounded.mesh, numbers);
+    EXPECT_LE(rounded.report.largest_move, 64 * step);
+  }
+}
+
+Solid two_cubes(const Vec3& low) {
+  return boolean(block({0, 0, 0}, {1, 1, 1}), block(low, {low.x + 1, low.y + 1, low.z + 1}),
+                 Operation::unite);
+}
+
+TEST(SeparateTouching, CubesWithACommonCorner) {
+  const Solid cubes = two_cubes({1, 1, 1});
+  EXPECT_NE(manifold_fault(rounded_mesh(cubes).mesh), "");
+  expect_manifold(cubes, 1);
+  expect_manifold(turned(cubes, 0.4), 1);
+}
+
+TEST(SeparateTouching, CubesWithACommonEdge) {
+  const Solid cubes = two_cubes({1, 1, 0});
+  expect_manifold(cubes, 2);
+  expect_manifold(turned(cubes, 0.4), 2);
+  // No corner and no whole edge in common.
+  expect_manifold(two_cubes({1, 1, 0.5}), 0);
+}
+
+// Both ends of the edge are in one fan each.
+TEST(SeparateTouching, AnEdgeBetweenTwoFloors) {
+  const Solid floors =
+      boolean(block({-1, -1, -1}, {3, 3, 0}), block({-1, -1, 1}, {3, 3, 2}), Operation::unite);
+  const Solid room = boolean(floors, two_cubes({1, 1, 0}), Operation::unite);
+  expect_manifold(room, 1);
+  expect_manifold(turned(room, 0.3), 1);
+}
+
+TEST(SeparateTouching, TheAxisOfAChessBoard) {
+  Solid board;
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int z = 0; z < 3; ++z)
+        if ((x + y + z) % 2 == 0)
+          board =
+              boolean(board, block({double(x), double(y), double(z)}, {x + 1.0, y + 1.0, z + 1.0}),
+                      Operation::unite);
+  expect_manifold(board, 8);
+  expect_manifold(turned(board, 0.2), 8);
+}
+
+TEST(SeparateTouching, HollowsThatTouch) {
+  const Solid body = block({-1, -1, -1}, {3, 3, 3});
+  expect_manifold(boolean(body, two_cubes({1, 1, 1}), Operation::subtract), 1);
+  expect_manifold(boolean(body, two_cubes({1, 1, 0}), Operation::subtract), 1);
+}
+
+TEST(SeparateTouching, LeavesAManifoldAsItIs) {
+  Rounding rounding;
+  rounding.separate_touching = true;
+  const Solid ball = sphere(1, 24, 12);
+  const RoundedMesh rounded = rounded_mesh(ball, rounding);
+  EXPECT_EQ(rounded.report.separated, 0u);
+  EXPECT_EQ(Solid::from_mesh(rounded.mesh), ball);
 }
 
 TEST(Rounding, CornersInEdgesOfTheirFaceAreCornersOfTheNeighbour) {

@@ -26,6 +26,10 @@ struct Rounding {
   double spacing = 1;
   /// No corner of the solid may move farther than this.
   double max_move = std::numeric_limits<double>::infinity();
+  /// Where solids or parts of one touch in a vertex or an edge only, move them apart by one step or
+  /// a few: each edge of the mesh has two triangles, and the triangles around each place hang
+  /// together.
+  bool separate_touching = false;
   const std::atomic<bool>* cancel = nullptr;  ///< Cancelled is thrown soon after it is set
   std::function<void(double)> progress;       ///< is told the part done, by one thread at a time
 };
@@ -40,6 +44,7 @@ struct RoundingReport {
   std::size_t displaced = 0;  ///< those that could not go to the nearest place
   std::size_t merged = 0;     ///< those that went to the place of a neighbour
   std::size_t flipped = 0;    ///< edges between two triangles replaced by the other diagonal
+  std::size_t separated = 0;  ///< corners moved from where the solid touches itself
   std::size_t resolved = 0;   ///< how often corners went to a coarser grid, because faces could not
                               ///< be kept apart otherwise, and what crossed then was united
   double largest_move = 0, median_move = 0;

@@ -1,0 +1,258 @@
+#include "rounding/separation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "import/diagnosis.h"
+#include "sectile/errors.h"
+
+namespace sectile {
+namespace {
+
+std::size_t next(std::size_t k) {
+  return k < 2 ? k + 1 : 0;
+}
+
+// The corner of a triangle that is at a vertex.
+std::size_t corner_at(const RoundedSurface::Corners& corners, std::uint32_t vertex) {
+  return corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
+}
+
+Vec3 middle_of(const Vec3& a, const Vec3& b) {
+  return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2};
+}
+
+}  // namespace
+
+std::size_t Separation::run(const Rounding& options) {
+  find_fans();
+  give_fans_vertices();
+  divide_pinched_edges();
+  std::vector<std::uint32_t> waiting = middles_;
+  for (const auto& group : vertices_at_one_place()) {
+    many_[place(group[0])] = static_cast<std::uint32_t>(group.size());
+    // The last one to be looked at is alone by then.
+    waiting.insert(waiting.end(), group.rbegin(), group.rend());
+  }
+  if (waiting.empty()) return 0;
+  kernel_.refresh();
+  rounded_.surface.ignored.resize(rounded_.surface.size(), 0);
+  for (std::uint32_t t = 0; t < rounded_.alive.size(); ++t)
+    rounded_.surface.ignored[t] = rounded_.alive[t] == 0;
+  LocalChanges changes(rounded_, kernel_);
+  constexpr double greatest_reach = 0x1p20;
+  for (double reach = 1; !waiting.empty(); reach *= 2) {
+    if (options.cancel && options.cancel->load(std::memory_order_relaxed)) throw Cancelled();
+    if (reach > greatest_reach) {
+      const Vec3& where = rounded_.position(waiting.front());
+      throw RoundingFailed("there is no room to separate what touches at " + in_words(where),
+                           where);
+    }
+    std::vector<std::uint32_t> left;
+    for (const std::uint32_t v : waiting)
+      if (!move_apart(changes, v, reach)) left.push_back(v);
+    waiting = std::move(left);
+  }
+  return moved_;
+}
+
+void Separation::find_fans() {
+  const auto& corners = rounded_.corners;
+  fan_.resize(3 * corners.size());
+  std::iota(fan_.begin(), fan_.end(), 0u);
+  const auto root = [&](std::uint32_t c) {
+    while (fan_[c] != c) c = fan_[c] = fan_[fan_[c]];
+    return c;
+  };
+  for (std::uint32_t t = 0; t < corners.size(); ++t) {
+    if (rounded_.alive[t] == 0) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t mate = rounded_.surface.mate[t][k];
+      for (const std::size_t end : {k, next(k)}) {
+        const std::size_t j = corner_at(corners[mate], corners[t][end]);
+        const std::uint32_t a = root(static_cast<std::uint32_t>(3 * t + end)),
+                            b = root(static_cast<std::uint32_t>(3 * mate + j));
+        fan_[std::max(a, b)] = std::min(a, b);
+      }
+    }
+  }
+  for (std::uint32_t c = 0; c < fan_.size(); ++c) fan_[c] = root(c);
+}
+
+// The first fan keeps the vertex.
+void Separation::give_fans_vertices() {
+  std::vector<std::uint32_t> of_vertex(rounded_.point.size(), 0xFFFFFFFFu);
+  std::map<std::uint32_t, std::uint32_t> made;  // per fan
+  for (std::uint32_t t = 0; t < rounded_.corners.size(); ++t) {
+    if (rounded_.alive[t] == 0) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = rounded_.corners[t][k], fan = fan_[3 * t + k];
+      std::uint32_t& first = of_vertex[v];
+      if (first == 0xFFFFFFFFu) first = fan;
+      if (first == fan) continue;
+      const auto [at, is_new] = made.try_emplace(fan, 0);
+      if (is_new)
+        at->second =
+            add_vertex(rounded_.position(v), rounded_.origin[v], rounded_.is_exact[v] != 0);
+      rounded_.corners[t][k] = at->second;
+      rounded_.surface.corners[t][k] = rounded_.point[at->second];
+      rounded_.surface.settled[t] = 0;
+    }
+  }
+}
+
+std::uint32_t Separation::add_vertex(const Vec3& place, const Vec3& origin, bool is_exact) {
+  rounded_.origin.push_back(origin);
+  rounded_.is_exact.push_back(is_exact);
+  rounded_.point.push_back(rounded_.geometry.add_point(place));
+  return static_cast<std::uint32_t>(rounded_.point.size() - 1);
+}
+
+// Where two wedges have both ends of an edge in common, all but the first one get a vertex between.
+void Separation::divide_pinched_edges() {
+  std::vector<Edge> edges;
+  for (std::uint32_t t = 0; t < rounded_.corners.size(); ++t)
+    for (std::uint32_t k = 0; rounded_.alive[t] != 0 && k < 3; ++k) {
+      const std::uint32_t a = rounded_.corners[t][k], b = rounded_.corners[t][next(k)];
+      if (a < b) edges.push_back({a, b, t, k});
+    }
+  std::sort(edges.begin(), edges.end());
+  std::vector<Edge> pinched;
+  for (std::size_t i = 1; i < edges.size(); ++i)
+    if (edges[i].low == edges[i - 1].low && edges[i].high == edges[i - 1].high)
+      pinched.push_back(edges[i]);
+  for (const Edge& e : pinched) {
+    // What is left of the triangle, or one that was cut off from it.
+    const auto has_edge = [&](std::uint32_t t) {
+      return rounded_.corners[t][e.k] == e.low && rounded_.corners[t][next(e.k)] == e.high;
+    };
+    std::uint32_t t = e.triangle;
+    for (std::size_t i = 0; !has_edge(t); ++i)
+      if (i == cut_off_.size())
+        throw InternalError("an edge that is to be divided is lost");
+      else if (cut_off_[i].first == e.triangle)
+        t = cut_off_[i].second;
+    divide(t, e.k);
+  }
+}
+
+void Separation::divide(std::uint32_t s, std::size_t j) {
+  const std::uint32_t a = rounded_.corners[s][j], b = rounded_.corners[s][next(j)];
+  const std::uint32_t t = rounded_.surface.mate[s][j];
+  const std::size_t k = corner_at(rounded_.corners[t], b);
+  const Vec3 place = grid_.nearest(middle_of(rounded_.position(a), rounded_.position(b)));
+  const std::uint32_t middle =
+      add_vertex(place, middle_of(rounded_.origin[a], rounded_.origin[b]), false);
+  middles_.push_back(middle);
+  divide_half(s, j, middle);
+  divide_half(t, k, middle);
+  // Of s: a … middle, of the triangle after it: middle … b; of t the other way round.
+  const auto last = static_cast<std::uint32_t>(rounded_.corners.size() - 1);
+  rounded_.surface.mate[s][j] = last;
+  rounded_.surface.mate[last][k] = s;
+  rounded_.surface.mate[last - 1][j] = t;
+  rounded_.surface.mate[t][k] = last - 1;
+}
+
+// (from, to, apex) becomes (from, middle, apex), and (middle, to, apex) is new.
+void Separation::divide_half(std::uint32_t t, std::size_t k, std::uint32_t middle) {
+  TriangleSurface& surface = rounded_.surface;
+  const auto added = static_cast<std::uint32_t>(surface.size());
+  const std::size_t to = next(k), apex = next(to);
+  std::uint32_t whole = t;
+  for (const auto& [from, piece] : cut_off_)
+    if (piece == t) whole = from;
+  cut_off_.push_back({whole, added});
+  rounded_.corners.push_back(rounded_.corners[t]);
+  rounded_.source.push_back(rounded_.source[t]);
+  rounded_.alive.push_back(1);
+  surface.corners.push_back(surface.corners[t]);
+  surface.face.push_back(added);
+  surface.mate.push_back(surface.mate[t]);
+  surface.settled.push_back(0);
+  surface.plane.push_back(PlaneId());
+  rounded_.corners[added][k] = rounded_.corners[t][to] = middle;
+  surface.corners[added][k] = surface.corners[t][to] = rounded_.point[middle];
+  const std::uint32_t across = surface.mate[added][to];
+  for (std::size_t j = 0; j < 3; ++j)
+    if (surface.mate[across][j] == t &&
+        rounded_.corners[across][next(j)] == rounded_.corners[added][to])
+      surface.mate[across][j] = added;
+  surface.mate[added][apex] = t;
+  surface.mate[t][to] = added;
+  surface.settled[t] = 0;
+  for (const std::uint32_t half : {t, added}) {
+    const auto& c = surface.corners[half];
+    surface.plane[half] = rounded_.geometry.add_plane(PlaneDefinition::through(c[0], c[1], c[2]));
+  }
+}
+
+std::vector<std::vector<std::uint32_t>> Separation::vertices_at_one_place() const {
+  std::vector<std::uint8_t> used(rounded_.point.size(), 0);
+  for (std::uint32_t t = 0; t < rounded_.corners.size(); ++t)
+    for (std::size_t k = 0; rounded_.alive[t] != 0 && k < 3; ++k) used[rounded_.corners[t][k]] = 1;
+  for (const std::uint32_t v : middles_) used[v] = 0;
+  std::vector<std::pair<Place, std::uint32_t>> places;
+  for (std::uint32_t v = 0; v < used.size(); ++v)
+    if (used[v] != 0) places.push_back({place(v), v});
+  std::sort(places.begin(), places.end());
+  std::vector<std::vector<std::uint32_t>> groups;
+  for (std::size_t from = 0, to; from < places.size(); from = to) {
+    for (to = from + 1; to < places.size() && places[to].first == places[from].first;) ++to;
+    if (to == from + 1) continue;
+    groups.emplace_back();
+    for (std::size_t i = from; i < to; ++i) groups.back().push_back(places[i].second);
+  }
+  return groups;
+}
+
+// Towards the middle of the neighbours, which is where a wedge has most room, and to the 26 places
+// around; the nearest first.
+std::vector<Vec3> Separation::places_near(const LocalChanges& changes, std::uint32_t vertex,
+                                          double reach) const {
+  const Vec3 at = rounded_.position(vertex);
+  Vec3 way{0, 0, 0};
+  for (const std::uint32_t t : changes.star(vertex))
+    for (const std::uint32_t v : rounded_.corners[t]) {
+      const Vec3& p = rounded_.position(v);
+      const double away = std::hypot(p.x - at.x, p.y - at.y, p.z - at.z);
+      if (away == 0) continue;
+      way = {way.x + (p.x - at.x) / away, way.y + (p.y - at.y) / away, way.z + (p.z - at.z) / away};
+    }
+  const double step = reach * grid_.step(at), size = std::hypot(way.x, way.y, way.z);
+  std::vector<Vec3> places;
+  if (size > 0)
+    for (const double far : {1.0, 1.5})
+      places.push_back(
+          grid_.nearest({at.x + far * step * way.x / size, at.y + far * step * way.y / size,
+                         at.z + far * step * way.z / size}));
+  for (const double i : {0, -1, 1})
+    for (const double j : {0, -1, 1})
+      for (const double k : {0, -1, 1})
+        places.push_back(grid_.nearest({at.x + i * step, at.y + j * step, at.z + k * step}));
+  return places;
+}
+
+bool Separation::move_apart(LocalChanges& changes, std::uint32_t vertex, double reach) {
+  const bool is_middle = std::binary_search(middles_.begin(), middles_.end(), vertex);
+  const Place before = place(vertex);
+  if (!is_middle && many_.at(before) == 1) return true;
+  for (const Vec3& to : places_near(changes, vertex, reach)) {
+    if (many_[{to.x + 0.0, to.y + 0.0, to.z + 0.0}] > 0) continue;
+    if (!changes.move(vertex, to)) continue;
+    if (!changes.is_free()) {
+      changes.undo();
+      continue;
+    }
+    changes.keep();
+    ++moved_;
+    if (!is_middle) --many_[before];
+    many_[place(vertex)] = 1;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace sectile

@@ -1,0 +1,62 @@
+// Solids that touch themselves, as manifolds.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "rounding/local_changes.h"
+#include "rounding/rounded_surface.h"
+#include "rounding/rounding_grid.h"
+
+namespace sectile {
+
+/// Gives each wedge of material at a place vertices of its own and moves them apart: afterwards
+/// each edge, told by the places of its ends, has two triangles, and the triangles at each place
+/// are one fan. Nothing meets that did not meet before.
+class Separation {
+ public:
+  /// The surface must be legal.
+  Separation(RoundedSurface& rounded, Kernel& kernel, const RoundingGrid& grid)
+      : rounded_(rounded), kernel_(kernel), grid_(grid) {}
+
+  /// How many vertices were moved. Throws RoundingFailed if there is no room.
+  std::size_t run(const Rounding& options);
+
+ private:
+  struct Edge {
+    std::uint32_t low, high, triangle, k;
+    friend auto operator<=>(const Edge&, const Edge&) = default;
+  };
+
+  void find_fans();
+  std::vector<std::vector<std::uint32_t>> vertices_at_one_place() const;
+  void give_fans_vertices();
+  void divide_pinched_edges();
+  void divide(std::uint32_t s, std::size_t j);
+  void divide_half(std::uint32_t t, std::size_t k, std::uint32_t middle);
+  std::uint32_t add_vertex(const Vec3& place, const Vec3& origin, bool is_exact);
+  bool move_apart(LocalChanges& changes, std::uint32_t vertex, double reach);
+  std::vector<Vec3> places_near(const LocalChanges& changes, std::uint32_t vertex,
+                                double reach) const;
+  using Place = std::array<double, 3>;
+  Place place(std::uint32_t vertex) const {
+    const Vec3& p = rounded_.position(vertex);
+    return {p.x + 0.0, p.y + 0.0, p.z + 0.0};
+  }
+
+  RoundedSurface& rounded_;
+  Kernel& kernel_;
+  const RoundingGrid& grid_;
+  std::vector<std::uint32_t> fan_;      // per corner of a triangle: the least one around the vertex
+  std::vector<std::uint32_t> middles_;  // of divided edges, ascending
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>
+      cut_off_;                          // triangles, with what was cut off
+  std::map<Place, std::uint32_t> many_;  // how many vertices there are
+  std::size_t moved_ = 0;
+};
+
+}  // namespace sectile
