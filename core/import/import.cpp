@@ -7,6 +7,7 @@
 #include "import/brep_builder.h"
 #include "import/contacts.h"
 #include "import/diagnosis.h"
+#include "import/join_flat_faces.h"
 #include "import/polygons.h"
 #include "import/shells.h"
 #include "sectile/errors.h"
@@ -62,22 +63,74 @@ std::uint32_t new_origin() {
 
 namespace {
 
+std::shared_ptr<SolidData> with_flat_faces_joined(std::shared_ptr<SolidData> data,
+                                                  const Kernel& kernel,
+                                                  const ImportOptions& options) {
+  JoinedFaces joined = join_flat_faces(data->brep(), data->geometry(), kernel, options.face_groups);
+  if (!joined.as_read) return data;
+  auto made = std::make_shared<SolidData>();
+  made->brep() = std::move(joined.brep);
+  made->geometry() = std::move(joined.geometry);
+  made->as_read = std::move(joined.as_read);
+  made->origin = data->origin;
+  return made;
+}
+
+void check_groups(const SoupView& soup, const ImportOptions& options) {
+  if (options.face_groups.empty() || options.face_groups.size() == soup.face_count()) return;
+  throw InvalidSolid(InvalidSolid::Reason::malformed,
+                     "there are groups for " + std::to_string(options.face_groups.size()) +
+                         " faces, but the mesh has " + std::to_string(soup.face_count()));
+}
+
+// Tells how far the import is, and ends it where that was asked for. The test against itself takes
+// most of the time.
+class Steps {
+ public:
+  explicit Steps(const ImportOptions& options) : options_(options) {}
+
+  void done(double part) const {
+    if (options_.cancel && options_.cancel->load(std::memory_order_relaxed)) throw Cancelled();
+    if (options_.progress) options_.progress(part);
+  }
+  /// For the test against itself.
+  ImportOptions from_to(double begin, double end) const {
+    ImportOptions inner = options_;
+    if (options_.progress)
+      inner.progress = [begin, end, &outer = options_.progress](double part) {
+        outer(begin + part * (end - begin));
+      };
+    return inner;
+  }
+
+ private:
+  const ImportOptions& options_;
+};
+
 std::shared_ptr<const SolidData> import_view(const SoupView& soup, const ImportOptions& options) {
+  check_groups(soup, options);
+  const Steps steps(options);
   auto data = std::make_shared<SolidData>();
   std::vector<std::uint32_t> input_vertex;
   Polygons polygons = read_polygons(soup, data->geometry(), input_vertex);
+  steps.done(0.05);
   Kernel kernel(data->geometry());
   remove_flat_faces(polygons, kernel);
   find_face_planes(polygons, data->geometry(), kernel);
   if (polygons.face_count() == 0) return std::make_shared<SolidData>();
+  steps.done(0.1);
   const std::vector<std::uint32_t> mate = match_edges(polygons, kernel, input_vertex);
   data->origin = new_origin();
   build_brep(polygons, mate, data->brep());
   set_planes_and_sources(polygons, data->origin, data->brep());
   pin_flat_edges(data->brep(), data->geometry(), kernel);
-  if (!options.trusted) refuse_contacts(data->brep(), kernel, options);
+  steps.done(0.2);
+  if (!options.trusted) refuse_contacts(data->brep(), kernel, steps.from_to(0.2, 0.9));
   check_orientation(*data, kernel);
+  steps.done(0.95);
+  data = with_flat_faces_joined(std::move(data), kernel, options);
   data->cut();
+  steps.done(1);
   return data;
 }
 

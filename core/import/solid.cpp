@@ -1,10 +1,9 @@
 #include "sectile/solid.h"
 
-#include "geometry/face_predicates.h"
-#include "geometry/triangulation.h"
 #include "import/measure.h"
 #include "import/shells.h"
 #include "import/soup.h"
+#include "storage/faces_as_read.h"
 #include "storage/moved_solid.h"
 #include "storage/solid_data.h"
 
@@ -65,50 +64,13 @@ SolidCounts Solid::counts() const {
   return counts;
 }
 
-PolygonMesh Solid::to_mesh() const {
-  std::vector<FaceSource> sources;
-  return to_mesh(sources);
-}
-
-PolygonMesh Solid::to_mesh(std::vector<FaceSource>& sources) const {
-  PolygonMesh mesh;
-  sources.clear();
-  if (is_empty()) return mesh;
-  const Brep& brep = data()->brep();
-  const Geometry& geometry = data()->geometry();
-  std::vector<std::uint32_t> number(geometry.positions.size(), 0xFFFFFFFFu);
-  const auto vertex = [&](PointId p) {
-    std::uint32_t& n = number[p.value()];
-    if (n == 0xFFFFFFFFu) {
-      n = static_cast<std::uint32_t>(mesh.positions.size());
-      mesh.positions.push_back(geometry.position(p));
-    }
-    return n;
-  };
-  const Kernel kernel(geometry);
-  std::vector<PointId> corners;
-  std::vector<std::uint32_t> loop_ends;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  for (std::size_t f = 0; f < brep.face_count(); ++f) {
-    corners.clear();
-    loop_ends.clear();
-    triangles.clear();
-    for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l.value()]) {
-      for_each_in_loop(brep, l,
-                       [&](HalfEdgeId h) { corners.push_back(brep.point_of(brep.from(h))); });
-      loop_ends.push_back(static_cast<std::uint32_t>(corners.size()));
-    }
-    const PlaneId plane = brep.plane[f];
-    const int axis = kernel.main_axis(plane);
-    const FacePredicates exact(kernel, axis, kernel.normal(plane, axis) == Sign::negative, corners);
-    triangulate(exact, std::span<const std::uint32_t>(loop_ends), triangles);
-    for (const auto& t : triangles) {
-      for (const std::uint32_t c : t) mesh.indices.push_back(vertex(corners[c]));
-      mesh.face_sizes.push_back(3);
-      sources.push_back(brep.source[f]);
-    }
-  }
-  return mesh;
+std::vector<std::uint32_t> Solid::joined_faces(std::uint32_t face) const {
+  std::vector<std::uint32_t> faces;
+  if (data_ && data_->as_read)
+    for (const FacesAsRead::Triangle& t : data_->as_read->of(face))
+      if (faces.empty() || faces.back() != t.source) faces.push_back(t.source);
+  if (faces.empty()) faces.push_back(face);
+  return faces;
 }
 
 }  // namespace sectile

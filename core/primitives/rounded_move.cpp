@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 
 #include "import/soup.h"
 #include "sectile/rounded_move.h"
@@ -40,7 +41,11 @@ std::optional<Solid> rounded_move(const Solid& solid, const Vec3& by) {
   if (solid.is_empty()) return solid;
   const std::shared_ptr<const SolidData> data = solid.data();
   if (!all_given(*data)) return {};
-  const std::shared_ptr<const SolidData> imported = import_soup(moved_faces(*data, by));
+  std::vector<std::uint32_t> each(data->brep().face_count());
+  std::iota(each.begin(), each.end(), 0u);
+  ImportOptions apart;
+  apart.face_groups = each;
+  const std::shared_ptr<const SolidData> imported = import_soup(moved_faces(*data, by), apart);
   auto image = std::make_shared<SolidData>();
   image->brep() = imported->brep();
   image->geometry() = imported->geometry();

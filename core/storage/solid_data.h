@@ -17,6 +17,8 @@
 
 namespace sectile {
 
+struct FacesAsRead;
+
 struct Slot {
   std::shared_ptr<const Block> block;  ///< none if the slot is empty
   std::shared_ptr<const BorderLinks>
@@ -58,6 +60,8 @@ class SolidData {
   void cut();
 
   std::uint32_t origin = 0;  ///< see Solid::origin
+  /// Of an import whose coplanar faces were joined, and which nothing has changed since.
+  std::shared_ptr<const FacesAsRead> as_read;
 
   // The boundary as one structure. If it is in several blocks, they are joined when this is first
   // asked for: for work on all of the boundary.

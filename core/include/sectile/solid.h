@@ -16,7 +16,8 @@ class SolidData;  // topology, geometry and search tree; internal
 class MovedSolid;
 
 /// Where a face comes from: `solid` is the number given to a mesh when it was imported (see
-/// Solid::origin), `face` the face of that mesh. Kept through any cascade of operations.
+/// Solid::origin), `face` the face of that mesh; where coplanar neighbours were joined to one face,
+/// the first of them (see Solid::joined_faces). Kept through any cascade of operations.
 struct FaceSource {
   std::uint32_t solid = 0;
   std::uint32_t face = 0;
@@ -35,6 +36,10 @@ struct ImportOptions {
   /// The caller promises that no faces cross or overlap, which is then not looked at. If the
   /// promise is broken, later results are wrong, or InternalError is thrown.
   bool trusted = false;
+  /// Coplanar neighbours are joined to one face unless their numbers here differ: one number per
+  /// face of the mesh (a material, a colour). Empty: all are alike. With a number of its own each
+  /// face stays as it is, and FaceSource::face always names just one.
+  std::span<const std::uint32_t> face_groups;
   const std::atomic<bool>* cancel = nullptr;  ///< Cancelled is thrown soon after it is set
   std::function<void(double)> progress;       ///< is told the part done, by one thread at a time
 };
@@ -54,18 +59,25 @@ class Solid {
   /// Takes a closed, consistently oriented polygon soup that bounds a regular set: shared or
   /// duplicated vertices, non-manifold edges and vertices (resolved into wedges of material),
   /// zero-area faces (removed), non-planar polygons (triangulated), corners of one face within an
-  /// edge of its neighbour (the edge is divided). Equal positions are one point.
+  /// edge of its neighbour (the edge is divided). Equal positions are one point. Exactly coplanar
+  /// neighbours become one face, so that operations take what the faces take and not what their
+  /// triangles do.
   /// Throws InvalidSolid, also for faces that cross or overlap anywhere and for shells in the
   /// material of others.
   static Solid from_mesh(const PolygonMesh& mesh);
   /// May also throw Cancelled.
   static Solid from_mesh(const PolygonMesh& mesh, const ImportOptions& options);
 
-  /// Triangles. Coordinates that are no doubles are rounded to the nearest.
+  /// Triangles. Coordinates that are no doubles are rounded to the nearest. An imported solid, also
+  /// a moved one, has the triangles of its mesh.
   PolygonMesh to_mesh() const;
 
   /// Triangles together with the source of each (in the order of the triangles).
   PolygonMesh to_mesh(std::vector<FaceSource>& sources) const;
+
+  /// Of an imported solid: the faces of its mesh that were joined to the one which FaceSource::face
+  /// names, in ascending order; just this one if none was.
+  std::vector<std::uint32_t> joined_faces(std::uint32_t face) const;
 
   bool is_empty() const;
   /// Of the exact solid, right to two units in the last place; infinite where doubles end.

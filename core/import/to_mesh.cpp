@@ -1,0 +1,139 @@
+// Solids as triangles. Faces that were joined on import, and not changed since, are given back as
+// they were read.
+#include <unordered_map>
+
+#include "geometry/face_predicates.h"
+#include "geometry/moved_geometry.h"
+#include "geometry/triangulation.h"
+#include "sectile/solid.h"
+#include "storage/faces_as_read.h"
+#include "storage/moved_solid.h"
+
+namespace sectile {
+namespace {
+
+constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+struct SamePlace {
+  std::size_t operator()(const Vec3& p) const {
+    std::size_t hash = 0;
+    for (const double x : {p.x, p.y, p.z})
+      hash = (hash ^ std::hash<double>()(x)) * 0x9E3779B97F4A7C15u;
+    return hash ^ hash >> 32;
+  }
+};
+
+class MeshMaker {
+ public:
+  MeshMaker(const Solid& solid, const std::shared_ptr<const FacesAsRead>& read,
+            std::vector<FaceSource>& sources)
+      : brep_(solid.data()->brep()),
+        geometry_(solid.data()->geometry()),
+        kernel_(geometry_),
+        origin_(solid.origin()),
+        read_(read.get()),
+        sources_(sources),
+        number_(geometry_.positions.size(), none) {
+    if (read_) place_what_was_read(solid.moved());
+  }
+
+  PolygonMesh run() {
+    for (std::size_t f = 0; f < brep_.face_count(); ++f)
+      if (!read_ || read_->of(brep_.source[f].face).empty()) add_face(f);
+    if (read_) add_what_was_read();
+    return std::move(mesh_);
+  }
+
+ private:
+  void place_what_was_read(const MovedSolid* moved) {
+    if (!moved) {
+      places_ = read_->geometry.positions;
+      return;
+    }
+    GeometryMover mover(moved->frame());
+    mover.prepare(read_->geometry);
+    places_ = mover(read_->geometry).positions;
+    mirrored_ = moved->frame().determinant().sign() == Sign::negative;
+  }
+
+  std::uint32_t vertex(PointId p) {
+    std::uint32_t& n = number_[p.value()];
+    if (n == none) n = add_position(geometry_.position(p));
+    return n;
+  }
+  std::uint32_t add_position(const Vec3& p) {
+    mesh_.positions.push_back(p);
+    return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
+  }
+  void add_triangle(const std::array<std::uint32_t, 3>& corners, FaceSource source) {
+    mesh_.indices.insert(mesh_.indices.end(), corners.begin(), corners.end());
+    mesh_.face_sizes.push_back(3);
+    sources_.push_back(source);
+  }
+
+  void add_face(std::size_t f) {
+    corners_.clear();
+    loop_ends_.clear();
+    triangles_.clear();
+    for (LoopId l = brep_.outer_loop[f]; l.valid(); l = brep_.next_loop[l.value()]) {
+      for_each_in_loop(brep_, l,
+                       [&](HalfEdgeId h) { corners_.push_back(brep_.point_of(brep_.from(h))); });
+      loop_ends_.push_back(static_cast<std::uint32_t>(corners_.size()));
+    }
+    const PlaneId plane = brep_.plane[f];
+    const int axis = kernel_.main_axis(plane);
+    const FacePredicates exact(kernel_, axis, kernel_.normal(plane, axis) == Sign::negative,
+                               corners_);
+    triangulate(exact, std::span<const std::uint32_t>(loop_ends_), triangles_);
+    for (const auto& t : triangles_)
+      add_triangle({vertex(corners_[t[0]]), vertex(corners_[t[1]]), vertex(corners_[t[2]])},
+                   brep_.source[f]);
+  }
+
+  // Their vertices are those of the other faces where there are such.
+  void add_what_was_read() {
+    std::unordered_map<Vec3, std::uint32_t, SamePlace> at;
+    for (std::uint32_t v = 0; v < mesh_.positions.size(); ++v) at.emplace(mesh_.positions[v], v);
+    std::vector<std::uint32_t> number(places_.size());
+    for (std::size_t p = 0; p < places_.size(); ++p) {
+      const auto [known, is_new] = at.emplace(places_[p], none);
+      if (is_new) known->second = add_position(places_[p]);
+      number[p] = known->second;
+    }
+    for (const FacesAsRead::Triangle& t : read_->triangles) {
+      const auto [a, b, c] = t.corners;
+      const std::uint32_t second = number[b.value()], third = number[c.value()];
+      add_triangle({number[a.value()], mirrored_ ? third : second, mirrored_ ? second : third},
+                   {origin_, t.source});
+    }
+  }
+
+  const Brep& brep_;
+  const Geometry& geometry_;
+  const Kernel kernel_;
+  std::uint32_t origin_;
+  const FacesAsRead* read_;
+  std::vector<Vec3> places_;  // of what was read
+  bool mirrored_ = false;
+  std::vector<FaceSource>& sources_;
+  std::vector<std::uint32_t> number_;  // per point: its vertex
+  PolygonMesh mesh_;
+  std::vector<PointId> corners_;
+  std::vector<std::uint32_t> loop_ends_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+};
+
+}  // namespace
+
+PolygonMesh Solid::to_mesh() const {
+  std::vector<FaceSource> sources;
+  return to_mesh(sources);
+}
+
+PolygonMesh Solid::to_mesh(std::vector<FaceSource>& sources) const {
+  sources.clear();
+  if (is_empty()) return {};
+  return MeshMaker(*this, data_->as_read, sources).run();
+}
+
+}  // namespace sectile
