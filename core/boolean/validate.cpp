@@ -6,6 +6,7 @@
 #include "import/contacts.h"
 #include "import/nesting.h"
 #include "import/shells.h"
+#include "sectile/errors.h"
 #include "topology/links.h"
 
 namespace sectile {
@@ -13,20 +14,27 @@ namespace {
 
 class Validator {
  public:
-  explicit Validator(const SolidData& data)
-      : data_(data), brep_(data.brep()), kernel_(data.geometry()) {}
+  Validator(const SolidData& data, const ValidationOptions& options)
+      : data_(data), brep_(data.brep()), kernel_(data.geometry()), options_(options) {}
 
-  std::vector<Violation> run(bool geometry) {
+  std::vector<Violation> run() {
+    const bool geometry = options_.geometry;
     for (const std::string& what : broken_links(brep_, false)) found_.push_back({what, {}});
     if (!found_.empty()) return std::move(found_);
     check_edges();
     check_loops();
+    check_cancelled();
     if (geometry && found_.empty()) check_against_itself();
+    check_cancelled();
     if (geometry && found_.empty()) check_nesting();
+    if (options_.progress) options_.progress(1);
     return std::move(found_);
   }
 
  private:
+  void check_cancelled() const {
+    if (options_.cancel && options_.cancel->load(std::memory_order_relaxed)) throw Cancelled();
+  }
   const Vec3& position(HalfEdgeId h) const {
     return data_.geometry().position(brep_.point_of(brep_.from(h)));
   }
@@ -70,37 +78,38 @@ class Validator {
   }
 
   void check_against_itself() {
-    for (const FacePairContact& c : face_contacts(brep_, kernel_)) {
+    for (const FacePairContact& c :
+         face_contacts(brep_, kernel_, {options_.cancel, options_.progress})) {
       report(c.first, "and f" + std::to_string(c.second.value()) + " " + in_words(c.kind), c.where);
     }
   }
 
   // Around each shell there is no material.
   void check_nesting() {
-    const Shells shells = find_shells(brep_);
-    std::vector<std::uint8_t> seen(shells.count, 0);
-    for (std::uint32_t f = 0; f < brep_.face_count(); ++f) {
-      const std::uint32_t shell = shells.of_face[f];
-      if (seen[shell]) continue;
-      seen[shell] = 1;
-      const FaceId face = oblique_face(data_, kernel_, shells, shell, f);
-      if (material_outside(data_, kernel_, face) == 0) continue;
-      report(face, "its shell is not nested as those of a solid are",
-             position(brep_.loop_half_edge[brep_.outer_loop[face.value()].value()]));
-    }
+    for (const ShellSurroundings& s : shell_surroundings(data_, kernel_, find_shells(brep_)))
+      if (s.material != 0)
+        report(s.face, "its shell is not nested as those of a solid are",
+               position(brep_.loop_half_edge[brep_.outer_loop[s.face.value()].value()]));
   }
 
   const SolidData& data_;
   const Brep& brep_;
   Kernel kernel_;
+  const ValidationOptions& options_;
   std::vector<Violation> found_;
 };
 
 }  // namespace
 
 std::vector<Violation> validate(const Solid& solid, bool geometry) {
+  ValidationOptions options;
+  options.geometry = geometry;
+  return validate(solid, options);
+}
+
+std::vector<Violation> validate(const Solid& solid, const ValidationOptions& options) {
   if (solid.is_empty()) return {};
-  return Validator(*solid.data()).run(geometry);
+  return Validator(*solid.data(), options).run();
 }
 
 }  // namespace sectile

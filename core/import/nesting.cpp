@@ -22,11 +22,14 @@ class LineThroughFace {
   LineThroughFace(const SolidData& data, const Kernel& kernel, FaceId face)
       : data_(data), kernel_(kernel), face_(face), triangle_(first_triangle()) {}
 
-  int run() {
+  /// The faces on the line, from this one on along the x axis, up to one of which something is
+  /// known already.
+  template <class IsKnown>
+  std::vector<FaceId> faces_beyond(const IsKnown& is_known) {
     for (int halvings = 1;; ++halvings)
       for (int odd = 1; odd < 1 << halvings; odd += 2) {
         choose_point(odd, 1 << halvings);
-        if (const auto material = count()) return *material;
+        if (auto faces = follow(is_known)) return *std::move(faces);
       }
   }
 
@@ -61,49 +64,97 @@ class LineThroughFace {
       const Dyadic share = Dyadic(weights[i]) * corners[(i + 1) % 3]->w * corners[(i + 2) % 3]->w;
       for (int axis = 0; axis < 3; ++axis) point_.x[axis] += share * corners[i]->x[axis];
     }
-    if (point_.w.sign() == Sign::positive) return;
-    for (Dyadic& x : point_.x) x = -x;
-    point_.w = -point_.w;
-  }
-
-  // Nothing if the line meets an edge.
-  std::optional<int> count() const {
-    constexpr double far = std::numeric_limits<double>::infinity();
+    if (point_.w.sign() == Sign::negative) {
+      for (Dyadic& x : point_.x) x = -x;
+      point_.w = -point_.w;
+    }
     const double y = nearest_quotient(point_.x[1], point_.w),
                  z = nearest_quotient(point_.x[2], point_.w);
-    const double low_y = std::nextafter(y, -far), high_y = std::nextafter(y, far),
-                 low_z = std::nextafter(z, -far), high_z = std::nextafter(z, far);
-    std::vector<FaceId> faces;
+    low_y_ = below(y);
+    high_y_ = above(y);
+    low_z_ = below(z);
+    high_z_ = above(z);
+  }
+
+  // The faces on the line, from the first one on along the x axis, up to one of a shell that is
+  // known. Nothing if the line meets an edge.
+  template <class IsKnown>
+  std::optional<std::vector<FaceId>> follow(const IsKnown& is_known) {
+    std::vector<FaceId> faces{face_};
+    at_ = {point_.x[0], point_.w};
+    while (faces.size() == 1 || !is_known(faces.back())) {
+      const std::optional<FaceId> next = next_after(faces.back());
+      if (!next) return {};
+      if (!next->valid()) break;
+      faces.push_back(*next);
+    }
+    return faces;
+  }
+
+  // A place on the line: x is the quotient; the denominator is positive.
+  struct Place {
+    Dyadic numerator, denominator;
+    Sign compare(const Place& other) const {
+      return (other.numerator * denominator - numerator * other.denominator).sign();
+    }
+    double nearest() const { return nearest_quotient(numerator, denominator); }
+  };
+
+  // The first face beyond `from`, which is at at_, and goes there; an invalid id behind the last
+  // one. Nothing if the line meets an edge on its way, or two faces at one place.
+  std::optional<FaceId> next_after(FaceId from) {
+    const double begin = below(at_.nearest());
+    double end = std::numeric_limits<double>::infinity();
+    FaceId next;
+    Place place;
+    bool edge_met = false;
     data_.tree().query(
         [&](const Box& b) {
-          return b.low[1] <= high_y && low_y <= b.high[1] && b.low[2] <= high_z &&
-                 low_z <= b.high[2];
+          return b.low[1] <= high_y_ && low_y_ <= b.high[1] && b.low[2] <= high_z_ &&
+                 low_z_ <= b.high[2] && begin <= b.high[0] && b.low[0] <= end && !edge_met;
         },
-        [&](std::uint32_t f) { faces.push_back(FaceId(f)); });
-    int beyond = 0;
-    for (const FaceId f : faces) {
-      if (f == face_) continue;
-      const std::optional<bool> met = meets(f);
-      if (!met) return {};
-      if (!*met) continue;
-      const PlaneId plane = data_.brep().plane[f.value()];
-      const Sign normal = kernel_.normal(plane, 0), side = side_of(plane);
-      if (side == Sign::zero) {
-        if (kernel_.parallel(plane, data_.brep().plane[face_.value()])) refuse(f);
-        return {};
-      }
-      if (side != normal) beyond += normal == Sign::positive ? 1 : -1;
-    }
-    const bool faces_on = kernel_.normal(data_.brep().plane[face_.value()], 0) == Sign::positive;
-    return faces_on ? beyond : beyond - 1;
+        [&](std::uint32_t item) {
+          const FaceId f(item);
+          if (f == from || edge_met) return;
+          const std::optional<bool> met = meets(f);
+          if (!met) edge_met = true;
+          if (!met || !*met) return;
+          const Place here = place_on(f);
+          const Sign beyond = at_.compare(here);
+          if (beyond == Sign::negative) return;
+          const Sign order = next.valid() ? here.compare(place) : Sign::positive;
+          if (beyond == Sign::zero || order == Sign::zero) {
+            refuse_if_flush(beyond == Sign::zero ? from : next, f);
+            edge_met = true;
+          }
+          if (order != Sign::positive) return;
+          next = f;
+          place = here;
+          end = above(here.nearest());
+        });
+    if (edge_met) return {};
+    at_ = std::move(place);
+    return next;
+  }
+
+  Place place_on(FaceId f) const {
+    const ExactPlane& s = kernel_.exact(data_.brep().plane[f.value()]);
+    const Dyadic rest = s.n[1] * point_.x[1] + s.n[2] * point_.x[2] + s.d * point_.w;
+    const bool positive = s.n[0].sign() == Sign::positive;
+    return {positive ? -rest : rest, (positive ? s.n[0] : -s.n[0]) * point_.w};
+  }
+
+  static double below(double x) {
+    return std::nextafter(x, -std::numeric_limits<double>::infinity());
+  }
+  static double above(double x) {
+    return std::nextafter(x, std::numeric_limits<double>::infinity());
   }
 
   // The sign of the line's distance from a point along the y axis.
-  Sign above(const ExactPoint& p) const {
+  Sign side_in_y(const ExactPoint& p) const {
     return (point_.x[1] * p.w - p.x[1] * point_.w).sign() * p.w.sign();
   }
-
-  Sign side_of(PlaneId plane) const { return value_at(kernel_.exact(plane), point_).sign(); }
 
   // Does the line go through the face? Nothing if it meets an edge of it.
   std::optional<bool> meets(FaceId f) const {
@@ -112,7 +163,7 @@ class LineThroughFace {
       const PointId u = data_.brep().point_of(data_.brep().from(h)),
                     v = data_.brep().point_of(data_.brep().to(h));
       const ExactPoint &from = kernel_.exact(u), &to = kernel_.exact(v);
-      const Sign side_u = above(from), side_v = above(to);
+      const Sign side_u = side_in_y(from), side_v = side_in_y(to);
       if (side_u == Sign::zero || side_v == Sign::zero) on_edge = true;
       if (side_u == side_v || on_edge) return;
       const Sign turn = turn_of(from, to, point_, 0).sign() * from.w.sign() * to.w.sign();
@@ -123,8 +174,10 @@ class LineThroughFace {
     return odd;
   }
 
-  [[noreturn]] void refuse(FaceId other) const {
-    const std::uint32_t f = data_.brep().source[face_.value()].face,
+  void refuse_if_flush(FaceId one, FaceId other) const {
+    if (!kernel_.parallel(data_.brep().plane[one.value()], data_.brep().plane[other.value()]))
+      return;
+    const std::uint32_t f = data_.brep().source[one.value()].face,
                         g = data_.brep().source[other.value()].face;
     throw InvalidSolid(InvalidSolid::Reason::self_intersecting,
                        "faces " + std::to_string(f) + " and " + std::to_string(g) +
@@ -138,12 +191,70 @@ class LineThroughFace {
   FaceId face_;
   std::array<PointId, 3> triangle_;
   ExactPoint point_;
+  double low_y_ = 0, high_y_ = 0, low_z_ = 0, high_z_ = 0;  // around the line
+  Place at_;                                                // how far the line was followed
+};
+
+// The layers of material on a line change at its faces, and at infinity there are none. What is
+// found for one shell on the line follows for the others on it, so each line is followed only to
+// the first shell that is known.
+class Surroundings {
+ public:
+  Surroundings(const SolidData& data, const Kernel& kernel, const Shells& shells)
+      : data_(data),
+        kernel_(kernel),
+        shells_(shells),
+        found_(shells.count),
+        known_(shells.count, 0) {}
+
+  std::vector<ShellSurroundings> run() {
+    choose_faces();
+    for (std::uint32_t s = 0; s < shells_.count; ++s) {
+      if (known_[s]) continue;
+      LineThroughFace line(data_, kernel_, found_[s].face);
+      count_layers(line.faces_beyond([&](FaceId f) { return known_[shell(f)] != 0; }));
+    }
+    return std::move(found_);
+  }
+
+ private:
+  std::uint32_t shell(FaceId f) const { return shells_.of_face[f.value()]; }
+  Sign normal(FaceId f) const { return kernel_.normal(data_.brep().plane[f.value()], 0); }
+
+  // The first of each shell that is not parallel to the line.
+  void choose_faces() {
+    for (std::uint32_t f = 0; f < shells_.of_face.size(); ++f) {
+      FaceId& chosen = found_[shells_.of_face[f]].face;
+      if (!chosen.valid() && normal(FaceId(f)) != Sign::zero) chosen = FaceId(f);
+    }
+    for (const ShellSurroundings& s : found_)
+      if (!s.face.valid()) throw InternalError("a shell has no extent in the plane across an axis");
+  }
+
+  void count_layers(const std::vector<FaceId>& faces) {
+    int layers = 0;  // beyond the face
+    for (std::size_t i = faces.size(); i-- > 0;) {
+      const FaceId f = faces[i];
+      const bool leaves = normal(f) == Sign::positive;
+      int& outside = found_[shell(f)].material;
+      if (!known_[shell(f)] || i == 0) outside = leaves ? layers : layers - 1;
+      known_[shell(f)] = 1;
+      layers = leaves ? outside + 1 : outside;
+    }
+  }
+
+  const SolidData& data_;
+  const Kernel& kernel_;
+  const Shells& shells_;
+  std::vector<ShellSurroundings> found_;  // per shell
+  std::vector<std::uint8_t> known_;
 };
 
 }  // namespace
 
-int material_outside(const SolidData& data, const Kernel& kernel, FaceId face) {
-  return LineThroughFace(data, kernel, face).run();
+std::vector<ShellSurroundings> shell_surroundings(const SolidData& data, const Kernel& kernel,
+                                                  const Shells& shells) {
+  return Surroundings(data, kernel, shells).run();
 }
 
 }  // namespace sectile

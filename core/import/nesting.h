@@ -1,17 +1,22 @@
 // How the shells of a solid lie within each other.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "geometry/kernel.h"
-#include "storage/solid_data.h"
+#include "import/shells.h"
 
 namespace sectile {
 
-/// How much material of other faces is around the outer side of a point within a face: 0 where all
-/// shells are nested as those of a solid are. The face is not parallel to
-/// the x axis. Throws InvalidSolid if another face lies on the point.
-int material_outside(const SolidData& data, const Kernel& kernel, FaceId face);
+/// How many layers of material lie on the outer side of a shell: 0 if the shells are nested as
+/// those of a solid are.
+struct ShellSurroundings {
+  FaceId face;  ///< one of the shell's faces, at which this was found
+  int material = 0;
+};
+
+/// For each shell. Throws InvalidSolid if faces are found that lie on each other.
+std::vector<ShellSurroundings> shell_surroundings(const SolidData& data, const Kernel& kernel,
+                                                  const Shells& shells);
 
 }  // namespace sectile

@@ -139,14 +139,6 @@ void refuse_inside_out(std::uint32_t face) {
 
 }  // namespace
 
-FaceId oblique_face(const SolidData& data, const Kernel& kernel, const Shells& shells,
-                    std::uint32_t shell, std::uint32_t first) {
-  for (std::size_t f = first; f < data.brep().face_count(); ++f)
-    if (shells.of_face[f] == shell && kernel.normal(data.brep().plane[f], 0) != Sign::zero)
-      return FaceId(f);
-  throw InternalError("a shell has no extent in the plane across an axis");
-}
-
 void check_orientation(const SolidData& data, const Kernel& kernel) {
   const Shells shells = find_shells(data.brep());
   const std::vector<Enclosed> volumes = ShellVolumes(data.brep(), data.geometry(), shells).run();
@@ -159,12 +151,11 @@ void check_orientation(const SolidData& data, const Kernel& kernel) {
     if (v.sign == Sign::negative && shells.count == 1) refuse_inside_out(face);
   }
   if (shells.count == 1) return;
+  const std::vector<ShellSurroundings> around = shell_surroundings(data, kernel, shells);
   for (std::uint32_t s = 0; s < shells.count; ++s) {
-    const std::uint32_t first = volumes[s].face, face = data.brep().source[first].face;
-    const int material =
-        material_outside(data, kernel, oblique_face(data, kernel, shells, s, first));
-    if (material < 0) refuse_inside_out(face);
-    if (material > 0)
+    const std::uint32_t face = data.brep().source[volumes[s].face].face;
+    if (around[s].material < 0) refuse_inside_out(face);
+    if (around[s].material > 0)
       throw InvalidSolid(
           InvalidSolid::Reason::self_intersecting,
           "the shell with face " + std::to_string(face) +

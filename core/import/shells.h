@@ -17,11 +17,6 @@ struct Shells {
 /// Faces are connected over edges.
 Shells find_shells(const Brep& brep);
 
-/// A face of the shell that is not parallel to the x axis; `first` is one of its faces, and none
-/// before it is.
-FaceId oblique_face(const SolidData& data, const Kernel& kernel, const Shells& shells,
-                    std::uint32_t shell, std::uint32_t first);
-
 /// Refuses shells that are not nested as those of a solid are: from outside, the first is turned
 /// outwards, those within it inwards, and so on. All points must be explicit.
 void check_orientation(const SolidData& data, const Kernel& kernel);
