@@ -92,14 +92,18 @@ SurfacePart whole_boundary(const Solid& solid) {
 }  // namespace
 
 EightWay classify(const Solid& a, const Solid& b) {
+  return classify(a, b, BooleanOptions{});
+}
+
+EightWay classify(const Solid& a, const Solid& b, const BooleanOptions& options) {
   EightWay result;
   if (a.is_empty() || b.is_empty()) {
     result.a_out_b = whole_boundary(a);
     result.b_out_a = whole_boundary(b);
     return result;
   }
-  const BooleanOptions options;
-  Workspace w(options);
+  const BooleanOptions unobserved = without_observer(options);
+  Workspace w(unobserved);
   FacePairs pairs;
   load(w, a.data()->in_one_block(), b.data()->in_one_block(), pairs);
   cut(w, pairs, {});
@@ -117,14 +121,19 @@ EightWay classify(const Solid& a, const Solid& b) {
 }
 
 FourWay classify(const Solid& a, const Solid& b, Operation operation) {
+  return classify(a, b, operation, BooleanOptions{});
+}
+
+FourWay classify(const Solid& a, const Solid& b, Operation operation,
+                 const BooleanOptions& options) {
   FourWay result;
   if (a.is_empty() || b.is_empty()) {
     result.a_out_b = whole_boundary(a);
     result.b_out_a = whole_boundary(b);
     return result;
   }
-  const BooleanOptions options;
-  Workspace w(options);
+  const BooleanOptions unobserved = without_observer(options);
+  Workspace w(unobserved);
   FacePairs pairs;
   load(w, a.data()->in_one_block(), b.data()->in_one_block(), pairs);
   const Operation wanted[] = {operation};

@@ -11,6 +11,10 @@ namespace sectile {
 inline const SolidData& operand(const Solid& solid, const BooleanOptions& options) {
   return options.observer ? solid.data()->in_one_block() : *solid.data();
 }
+inline BooleanOptions without_observer(BooleanOptions options) {
+  options.observer = nullptr;
+  return options;
+}
 /// Loads the faces that may meet; `pairs` are pairs of loaded faces, ascending.
 void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs);
 /// The loaded face that stands for a face of the operand.

@@ -79,11 +79,15 @@ std::pair<Solid, Solid> split(const Solid& solid, const HalfSpace& half_space,
 }
 
 Section section(const Solid& solid, const HalfSpace& half_space) {
+  return section(solid, half_space, BooleanOptions{});
+}
+
+Section section(const Solid& solid, const HalfSpace& half_space, const BooleanOptions& options) {
   check(half_space);
   Section result;
   if (solid.is_empty()) return result;
-  const BooleanOptions options;
-  Workspace w(options);
+  const BooleanOptions unobserved = without_observer(options);
+  Workspace w(unobserved);
   FacePairs pairs;
   const std::uint32_t origin = new_origin();
   load(w, *solid.data(), half_space, origin, pairs);

@@ -38,5 +38,53 @@ TEST(Cancel, StopsWithinTheJoining) {
   EXPECT_EQ(phases.back(), Phase::null_edges);
 }
 
+// Everything that takes time ends soon after it was asked to: here, when it first tells how far it
+// is.
+template <class Options, class Work>
+void expect_cancelled(Options options, const Work& work) {
+  std::atomic<bool> cancel{false};
+  double last = 0;
+  bool ascends = true;
+  const auto tell = [&](double done) {
+    ascends = ascends && done >= last;
+    last = done;
+  };
+  options.cancel = &cancel;
+  options.progress = tell;
+  EXPECT_NO_THROW(work(options));
+  EXPECT_TRUE(ascends);
+  EXPECT_GT(last, 0.5);
+  options.progress = [&](double) { cancel = true; };
+  EXPECT_THROW(work(options), Cancelled);
+}
+
+TEST(Cancel, StopsClassifications) {
+  const Solid a = sphere(1, 24, 12), b = block({0, 0, 0}, {2, 2, 2});
+  expect_cancelled(BooleanOptions{}, [&](const BooleanOptions& o) { classify(a, b, o); });
+  expect_cancelled(BooleanOptions{},
+                   [&](const BooleanOptions& o) { classify(a, b, Operation::subtract, o); });
+}
+
+TEST(Cancel, StopsSections) {
+  const Solid a = sphere(1, 24, 12);
+  expect_cancelled(BooleanOptions{}, [&](const BooleanOptions& o) {
+    section(a, {1, 2, 3, 0.5}, o);
+  });
+}
+
+TEST(Cancel, StopsValidation) {
+  const Solid a = sphere(1, 24, 12);
+  expect_cancelled(ValidationOptions{}, [&](const ValidationOptions& o) { validate(a, o); });
+}
+
+TEST(Cancel, StopsImports) {
+  const PolygonMesh mesh = sphere(1, 24, 12).to_mesh();
+  for (const bool trusted : {false, true}) {
+    ImportOptions options;
+    options.trusted = trusted;
+    expect_cancelled(options, [&](const ImportOptions& o) { Solid::from_mesh(mesh, o); });
+  }
+}
+
 }  // namespace
 }  // namespace sectile

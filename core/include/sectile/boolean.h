@@ -43,6 +43,8 @@ struct Section {
   std::vector<std::vector<Vec3>> loops;
 };
 Section section(const Solid& solid, const HalfSpace& half_space);
+/// The observer is told of no events.
+Section section(const Solid& solid, const HalfSpace& half_space, const BooleanOptions& options);
 
 /// A part of a boundary: polygons with holes, as loops. Not closed in general.
 struct SurfacePart {
@@ -61,6 +63,8 @@ struct EightWay {
   SurfacePart b_in_a, b_out_a, b_on_a_plus, b_on_a_minus;
 };
 EightWay classify(const Solid& a, const Solid& b);
+/// The observer is told of no events.
+EightWay classify(const Solid& a, const Solid& b, const BooleanOptions& options);
 
 /// The four-way classification for an operation (figure 11): the parts on the other boundary are
 /// lumped with the others as Table I says (see docs/paper.md for its corrected form).
@@ -68,5 +72,7 @@ struct FourWay {
   SurfacePart a_in_b, a_out_b, b_in_a, b_out_a;
 };
 FourWay classify(const Solid& a, const Solid& b, Operation operation);
+FourWay classify(const Solid& a, const Solid& b, Operation operation,
+                 const BooleanOptions& options);
 
 }  // namespace sectile
