@@ -1,6 +1,7 @@
 // A small open-addressing map from 32-bit ids to 32-bit ids, for loading parts of a solid.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,7 @@ class IdMap {
     std::size_t size = 16;
     while (size < 2 * expected) size *= 2;
     slots_.assign(size, {none, none});
+    shift_ = 32 - std::bit_width(size - 1);
   }
 
   /// The value for a key, to be set if it is none. Valid until the next call.
@@ -32,19 +34,22 @@ class IdMap {
     std::uint32_t key, value;
   };
   Slot& find(std::uint32_t key) {
-    std::size_t i = (key * 0x9E3779B1u) & (slots_.size() - 1);
+    // The upper bits: the lower ones are alike for all keys that are alike in theirs.
+    std::size_t i = (key * 0x9E3779B1u) >> shift_;
     while (slots_[i].key != none && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
     return slots_[i];
   }
   void grow() {
     std::vector<Slot> old(2 * slots_.size(), Slot{none, none});
     old.swap(slots_);
+    --shift_;
     for (const Slot& slot : old)
       if (slot.key != none) find(slot.key) = slot;
   }
 
   std::vector<Slot> slots_;
   std::size_t used_ = 0;
+  int shift_;
 };
 
 }  // namespace sectile
