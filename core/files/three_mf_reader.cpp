@@ -122,19 +122,20 @@ class ThreeMfReader {
     require(NMR::lib3mf_builditem_hasobjecttransform(item.get(), &moved), "build");
     require(NMR::lib3mf_builditem_getobjecttransform(item.get(), &matrix), "build");
     if (moved != 0) move(whole, matrix);
-    build(result.mesh, std::move(whole));
+    build(result, std::move(whole));
     return result;
   }
 
   // Parts that are still to be built wait on a stack, the next on top.
-  void build(PolygonMesh& mesh, Placed&& whole) const {
+  void build(NamedMesh& result, Placed&& whole) const {
     std::vector<Placed> waiting;
     waiting.push_back(std::move(whole));
     while (!waiting.empty()) {
       const Placed part = std::move(waiting.back());
       waiting.pop_back();
       if (is_mesh(part.object.get())) {
-        append(mesh, moved_mesh(part), name_);
+        append(result.mesh, moved_mesh(part), name_);
+        if (!result.colour) result.colour = colour_of(part.object.get());
         continue;
       }
       std::vector<Placed> parts = components(part.object.get(), part);
@@ -209,6 +210,31 @@ class ThreeMfReader {
     for (const NMR::MODELMESHTRIANGLE& t : triangles)
       mesh.indices.insert(mesh.indices.end(), std::begin(t.m_nIndices), std::end(t.m_nIndices));
     return mesh;
+  }
+
+  // That of the object; its triangles may have others.
+  std::optional<MeshColour> colour_of(Lib3mfPointer object) const {
+    const std::string place = place_of(object);
+    const Lib3mfHandle property =
+        made(place, NMR::lib3mf_object_createdefaultpropertyhandler, object);
+    NMR::eModelPropertyType type = NMR::MODELPROPERTYTYPE_NONE;
+    require(NMR::lib3mf_defaultpropertyhandler_getpropertytype(property.get(), &type), place);
+    if (type == NMR::MODELPROPERTYTYPE_COLOR) {
+      NMR::MODELMESHCOLOR_SRGB colour{};
+      require(NMR::lib3mf_defaultpropertyhandler_getcolor(property.get(), 0, &colour), place);
+      return MeshColour{colour.m_Red, colour.m_Green, colour.m_Blue};
+    }
+    if (type != NMR::MODELPROPERTYTYPE_BASEMATERIALS) return std::nullopt;
+    DWORD group = 0, index = 0;
+    require(NMR::lib3mf_defaultpropertyhandler_getbasematerial(property.get(), &group, &index),
+            place);
+    const Lib3mfHandle materials =
+        made(place, NMR::lib3mf_model_getbasematerialbyid, model_.get(), group);
+    BYTE red = 0, green = 0, blue = 0, alpha = 0;
+    require(NMR::lib3mf_basematerial_getdisplaycolor(materials.get(), index, &red, &green, &blue,
+                                                     &alpha),
+            place);
+    return MeshColour{red, green, blue};
   }
 
   static bool is_mesh(Lib3mfPointer object) {

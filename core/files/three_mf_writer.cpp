@@ -70,7 +70,7 @@ class EmptyPackage {
 
   std::vector<char> run(const Model& model) {
     require(NMR::lib3mf_model_setunit(model_.get(), lib3mf_unit(model.unit)));
-    for (const NamedMesh& mesh : model.meshes) add_object(mesh.name);
+    for (const NamedMesh& mesh : model.meshes) add_object(mesh);
     const Lib3mfHandle writer = made(NMR::lib3mf_model_querywriter, model_.get(), "3mf");
     ULONG64 size = 0;
     require(NMR::lib3mf_writer_getstreamsize(writer.get(), &size));
@@ -92,11 +92,25 @@ class EmptyPackage {
     return handle;
   }
 
-  void add_object(const std::string& title) {
+  void add_object(const NamedMesh& mesh) {
+    const std::string& title = mesh.name;
     if (!is_text(title)) fail(name_, "the name of a solid is not text in UTF-8");
     const Lib3mfHandle object = made(NMR::lib3mf_model_addmeshobject, model_.get());
     if (!title.empty()) require(NMR::lib3mf_object_setnameutf8(object.get(), title.c_str()));
+    if (mesh.colour) paint(object.get(), *mesh.colour, title);
     made(NMR::lib3mf_model_addbuilditem, model_.get(), object.get(), nullptr);
+  }
+
+  // A material for each, called like its object.
+  void paint(Lib3mfPointer object, const MeshColour& colour, const std::string& title) const {
+    const Lib3mfHandle materials = made(NMR::lib3mf_model_addbasematerialgroup, model_.get());
+    DWORD index = 0, group = 0;
+    require(NMR::lib3mf_basematerial_addmaterialutf8(materials.get(),
+                                                     title.empty() ? "colour" : title.c_str(),
+                                                     colour[0], colour[1], colour[2], &index));
+    require(NMR::lib3mf_basematerial_getresourceid(materials.get(), &group));
+    const Lib3mfHandle property = made(NMR::lib3mf_object_createdefaultpropertyhandler, object);
+    require(NMR::lib3mf_defaultpropertyhandler_setbasematerial(property.get(), group, index));
   }
 
   std::string_view name_;

@@ -133,6 +133,29 @@ TEST(ThreeMf, SolidsKeepTheirNamesOrderAndUnit) {
   }
 }
 
+TEST(ThreeMf, ColoursReadBack) {
+  Model model;
+  model.meshes = {{"red", tetrahedron(), MeshColour{214, 0, 255}},
+                  {"plain", tetrahedron()},
+                  {"", tetrahedron(), MeshColour{1, 2, 3}}};
+  const Model back = read_parts(written_parts(model));
+  ASSERT_EQ(back.meshes.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(back.meshes[i].colour, model.meshes[i].colour) << i;
+    EXPECT_TRUE(same_bits(back.meshes[i].mesh, tetrahedron())) << i;
+  }
+}
+
+TEST(ThreeMf, ColoursOfOthersAreThoseOfTheirMaterials) {
+  const std::string materials =
+      "<basematerials id='7'><base name='a' displaycolor='#0A0B0C'/>"
+      "<base name='b' displaycolor='#FF8000FF'/></basematerials>";
+  const Model model =
+      read_parts(package(materials + object(1, tetrahedron_xml, "pid='7' pindex='1'"), item));
+  ASSERT_EQ(model.meshes.size(), 1u);
+  EXPECT_EQ(model.meshes[0].colour, (MeshColour{255, 128, 0}));
+}
+
 TEST(ThreeMf, EveryUnitReadsBack) {
   for (const LengthUnit unit :
        {LengthUnit::micrometer, LengthUnit::millimeter, LengthUnit::centimeter, LengthUnit::inch,

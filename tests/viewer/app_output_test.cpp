@@ -153,6 +153,60 @@ TEST(AppOutput, EachSolidIntoAFileOfItsOwn) {
   EXPECT_EQ(model.meshes[1].name, "Cylinder");
 }
 
+TEST(Export, GroupsAreOneSolidOfThe3mfAndNothingIsLeftOutInSilence) {
+  AppDriver driver;
+  driver.add("block");
+  driver.add("block");
+  driver.key('A', true);
+  driver.key('G', true);
+  driver.add("cylinder");
+  driver.key('E', true, true);
+  driver.press("browser.name");
+  driver.key('A', true);
+  driver.type((folder() / "all.3mf").string());
+  driver.key(Key::enter);
+  driver.settle(5);
+  const Model model = read_model(folder() / "all.3mf");
+  ASSERT_EQ(model.meshes.size(), 2u);
+  EXPECT_EQ(model.meshes[0].name, "Group");
+  EXPECT_EQ(Solid::from_mesh(model.meshes[0].mesh).volume(), 16);
+}
+
+TEST(ThreeMf, SolidsComeInAsPartsWithNamesAndColoursAndGoOutWithThem) {
+  Model model;
+  const PolygonMesh box = block({0, 0, 0}, {1, 2, 3}).to_mesh();
+  model.meshes = {{"Lid", box, MeshColour{200, 10, 30}}, {"", box}, {"Lid", box}};
+  const fs::path in = folder() / "in.3mf", out = folder() / "out.3mf";
+  write_model(in, model);
+  AppDriver driver;
+  driver.key('O', true);
+  driver.press("browser.name");
+  driver.key('A', true);
+  driver.type(in.string());
+  driver.key(Key::enter);
+  driver.settle(5);
+  ASSERT_EQ(driver.scene().roots().size(), 3u) << driver.app().last_message();
+  EXPECT_EQ(driver.session().selection().size(), 3u);
+  const auto node = [&](std::size_t i) { return driver.scene().at(driver.scene().roots()[i]); };
+  EXPECT_EQ(node(0).name, "Lid");
+  EXPECT_EQ(node(1).name, "in");
+  EXPECT_EQ(node(2).name, "Lid 2");
+  EXPECT_EQ(node(0).colour, (NodeColour{200 / 255.0f, 10 / 255.0f, 30 / 255.0f}));
+  EXPECT_FALSE(node(1).colour);
+  driver.key('E', true, true);
+  driver.press("browser.name");
+  driver.key('A', true);
+  driver.type(out.string());
+  driver.key(Key::enter);
+  driver.settle(5);
+  const Model back = read_model(out);
+  ASSERT_EQ(back.meshes.size(), 3u);
+  EXPECT_EQ(back.meshes[0].colour, model.meshes[0].colour);
+  EXPECT_EQ(back.meshes[2].name, "Lid 2");
+  driver.key('Z', true);
+  EXPECT_TRUE(driver.scene().is_empty()) << "one step of undo";
+}
+
 TEST(AppOutput, RecentFilesOutliveTheSession) {
   fs::remove_all(folder());
   const fs::path file = folder() / "one.sectile";

@@ -254,12 +254,35 @@ std::size_t write_solids(const std::filesystem::path& path, const Model& model) 
 
 }  // namespace
 
+namespace {
+
+struct ExportedSolid {
+  std::string name;
+  std::optional<NodeColour> colour;
+  std::vector<Solid> members;  ///< one, or those of a group
+};
+
+NamedMesh mesh_of(const ExportedSolid& exported, Rounding::Numbers numbers) {
+  Solid whole = exported.members.front();
+  for (std::size_t i = 1; i < exported.members.size(); ++i)
+    whole = boolean(whole, exported.members[i], Operation::unite);
+  Rounding rounding;
+  rounding.numbers = numbers;
+  return {exported.name, rounded_mesh(whole, rounding).mesh, in_bytes(exported.colour)};
+}
+
+}  // namespace
+
 void Session::export_all(const std::filesystem::path& path) {
-  std::vector<std::pair<std::string, Solid>> solids;
+  std::vector<ExportedSolid> solids;
   for (const NodeId root : scene().roots()) {
-    const Solid* exported = solid(root);
-    if (scene().is_shown(root) && exported && !exported->is_empty())
-      solids.emplace_back(scene().at(root).name, *exported);
+    if (!scene().is_shown(root)) continue;
+    const Node& node = scene().at(root);
+    ExportedSolid exported{node.name, node.colour, members_of(root)};
+    if (exported.members.empty())
+      return messages.error("\"" + node.name +
+                            "\" is empty or could not be computed: hide it to export the others.");
+    solids.push_back(std::move(exported));
   }
   if (solids.empty()) {
     messages.error("There is nothing to export: no solid is shown.");
@@ -269,8 +292,8 @@ void Session::export_all(const std::filesystem::path& path) {
       FileWork::Kind::writing, "Writing " + std::to_string(solids.size()) + " solids\u2026",
       [this, path, solids]() -> FileWork::Finish {
         Model model;
-        for (const auto& [name, written] : solids)
-          model.meshes.push_back({name, written.to_mesh()});
+        for (const ExportedSolid& exported : solids)
+          model.meshes.push_back(mesh_of(exported, numbers_of(format_of(path))));
         const std::size_t files = write_solids(path, model);
         return [this, path, files, count = solids.size()] {
           messages.tell(std::to_string(count) + " solids exported to " +

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "sectile/files.h"
 
 namespace sectile::viewer {
 
@@ -19,5 +20,8 @@ struct MeshPart {
 
 /// What has no name in the file is called after it. Throws FileError.
 std::vector<MeshPart> read_parts(const std::filesystem::path& path);
+
+/// As files hold it.
+std::optional<MeshColour> in_bytes(const std::optional<NodeColour>& colour);
 
 }  // namespace sectile::viewer

@@ -1,9 +1,12 @@
 // Reading and writing meshes: OBJ, STL (text and binary), OFF, PLY, 3MF.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,9 +39,13 @@ void write_mesh(std::ostream& out, FileFormat format, const PolygonMesh& mesh,
 /// What the numbers of a 3MF file count.
 enum class LengthUnit { micrometer, millimeter, centimeter, inch, foot, meter };
 
+/// Red, green and blue as screens have them.
+using MeshColour = std::array<std::uint8_t, 3>;
+
 struct NamedMesh {
   std::string name;  ///< UTF-8; may be empty, and need not be unique
   PolygonMesh mesh;
+  std::optional<MeshColour> colour = {};  ///< of all of it; those of single triangles are not read
 };
 
 /// Several meshes in one file.
@@ -57,7 +64,7 @@ Model read_model(std::istream& in, FileFormat format, std::string_view name);
 
 /// Writes all meshes into one file as write_mesh() writes one. 3MF holds any number of them, and
 /// coordinates up to a thousand million; the same model gives the same bytes. Other formats hold
-/// just one and neither name nor unit. Throws FileError.
+/// just one and neither name, colour nor unit. Throws FileError.
 void write_model(const std::filesystem::path& path, const Model& model);
 void write_model(std::ostream& out, FileFormat format, const Model& model, std::string_view name);
 
