@@ -2,9 +2,8 @@
 // they were read.
 #include <unordered_map>
 
-#include "geometry/face_predicates.h"
 #include "geometry/moved_geometry.h"
-#include "geometry/triangulation.h"
+#include "import/face_triangles.h"
 #include "sectile/solid.h"
 #include "storage/faces_as_read.h"
 #include "storage/moved_solid.h"
@@ -29,7 +28,7 @@ class MeshMaker {
             std::vector<FaceSource>& sources)
       : brep_(solid.data()->brep()),
         geometry_(solid.data()->geometry()),
-        kernel_(geometry_),
+        faces_(brep_, geometry_),
         origin_(solid.origin()),
         read_(read.get()),
         sources_(sources),
@@ -72,22 +71,9 @@ class MeshMaker {
   }
 
   void add_face(std::size_t f) {
-    corners_.clear();
-    loop_ends_.clear();
-    triangles_.clear();
-    for (LoopId l = brep_.outer_loop[f]; l.valid(); l = brep_.next_loop[l.value()]) {
-      for_each_in_loop(brep_, l,
-                       [&](HalfEdgeId h) { corners_.push_back(brep_.point_of(brep_.from(h))); });
-      loop_ends_.push_back(static_cast<std::uint32_t>(corners_.size()));
-    }
-    const PlaneId plane = brep_.plane[f];
-    const int axis = kernel_.main_axis(plane);
-    const FacePredicates exact(kernel_, axis, kernel_.normal(plane, axis) == Sign::negative,
-                               corners_);
-    triangulate(exact, std::span<const std::uint32_t>(loop_ends_), triangles_);
-    for (const auto& t : triangles_)
-      add_triangle({vertex(corners_[t[0]]), vertex(corners_[t[1]]), vertex(corners_[t[2]])},
-                   brep_.source[f]);
+    faces_.of(f, [&](PointId a, PointId b, PointId c) {
+      add_triangle({vertex(a), vertex(b), vertex(c)}, brep_.source[f]);
+    });
   }
 
   // Their vertices are those of the other faces where there are such.
@@ -110,7 +96,7 @@ class MeshMaker {
 
   const Brep& brep_;
   const Geometry& geometry_;
-  const Kernel kernel_;
+  FaceTriangles faces_;
   std::uint32_t origin_;
   const FacesAsRead* read_;
   std::vector<Vec3> places_;  // of what was read
@@ -118,9 +104,6 @@ class MeshMaker {
   std::vector<FaceSource>& sources_;
   std::vector<std::uint32_t> number_;  // per point: its vertex
   PolygonMesh mesh_;
-  std::vector<PointId> corners_;
-  std::vector<std::uint32_t> loop_ends_;
-  std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
 
 }  // namespace

@@ -39,12 +39,16 @@ void reverse_faces(PolygonMesh& mesh) {
 
 }  // namespace
 
+void require_invertible(const Frame& frame) {
+  require(frame.determinant().sign() != Sign::zero,
+          "The matrix of the transform is singular: it would flatten the solid.");
+}
+
 Frame checked_frame(const Transform& transform) {
   for (const double m : transform.m)
     require(std::isfinite(m), "The matrix of a transform must be finite.");
   Frame frame(transform.m);
-  require(frame.determinant().sign() != Sign::zero,
-          "The matrix of the transform is singular: it would flatten the solid.");
+  require_invertible(frame);
   return frame;
 }
 

@@ -1,2 +1,3 @@
 sectile_test(primitives_test SOURCES primitives_test.cpp)
 sectile_test(transform_test SOURCES transform_test.cpp)
+sectile_test(exact_transform_test SOURCES exact_transform_test.cpp)

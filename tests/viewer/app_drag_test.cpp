@@ -175,6 +175,38 @@ TEST(AppDrag, FacesBecomeFlush) {
   EXPECT_NEAR(both->volume(), 8 + 8 * 0.49, 1e-12);
 }
 
+// The wall stands at 0.1 + 1, which is no double: the position that touches it has a remainder,
+// until another one is typed.
+TEST(AppDrag, ContactsBetweenDoublesAreExact) {
+  AppDriver driver;
+  add_two_blocks(driver);
+  driver.enter("properties.scale.y", "0.75");
+  driver.enter("properties.scale.z", "0.75");
+  const NodeId first = driver.scene().roots()[0], second = driver.scene().roots()[1];
+  driver.press("tree:" + std::to_string(first));
+  driver.enter("properties.position.x", "0.1");
+  driver.press("tree:" + std::to_string(second));
+  const glm::dvec2 to = target(driver, {3, 0, 0}, {1, 0, 0}, -0.88);
+  driver.hold(driver.middle("handle.x"), to);
+  EXPECT_NE(driver.session().dragging.find("face on face: exact"), std::string::npos)
+      << driver.session().dragging;
+  driver.let_go(to);
+  EXPECT_EQ(placement(driver, 1).position, (Vec3{2.1, 0, 0}));
+  EXPECT_NE(placement(driver, 1).remainder.x, 0);
+  driver.key('A', true);
+  driver.key('U');
+  const NodeId both = driver.scene().roots().front();
+  ASSERT_NE(driver.session().solid(both), nullptr);
+  EXPECT_EQ(driver.session().solid(both)->counts().faces, 11u);
+  EXPECT_EQ(driver.session().solid(both)->counts().shells, 1u);
+  driver.key('Z', true);
+  driver.press("tree:" + std::to_string(second));
+  driver.enter("properties.position.x", "2.1");
+  EXPECT_EQ(placement(driver, 1).remainder, (Vec3{0, 0, 0}));
+  driver.key('Z', true);
+  EXPECT_NE(placement(driver, 1).remainder.x, 0) << "undo gives it back";
+}
+
 TEST(AppDrag, AnAxisHandleMovesAlongItsAxisOnly) {
   AppDriver driver;
   add_two_blocks(driver);

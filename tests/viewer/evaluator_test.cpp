@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "evaluation/scene_computation.h"
+#include "scene/exact_moves.h"
 
 namespace sectile::viewer {
 namespace {
@@ -39,6 +40,44 @@ TEST(Evaluate, SolidsAreInTheWorldAndSurfacesInTheirNode) {
   EXPECT_EQ(made.find(both)->surface->bounds.high, glm::dvec3(0, 1, 1));
   EXPECT_EQ(made.find(both)->model[3].z, 10);
   EXPECT_EQ(bounds_of(made, scene, {b}).high, glm::dvec3(2, 1, 11));
+}
+
+// Corners rounded to doubles would leave the planes of slanted faces, which then fall apart.
+TEST(Evaluate, AMovedSolidKeepsItsNumberOfFaces) {
+  Transform shear;
+  shear.m = {1, 0.5, 0.25, 0, 0.25, 1, 0.5, 0, 0.5, 0.25, 1, 0};
+  PolygonMesh mesh;
+  for (const double z : {-1, 1})
+    for (const double y : {-1, 1})
+      for (const double x : {-1, 1}) mesh.positions.push_back({x, y, z});
+  mesh.face_sizes.assign(6, 4);
+  mesh.indices = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+  mesh = transformed(mesh, shear);
+  Scene scene;
+  Node node;
+  node.what = Imported{"", std::make_shared<PolygonMesh>(mesh)};
+  node.placement.position = {0.1, -0.7, 1.0 / 3};
+  const NodeId id = scene.add(node);
+  const Evaluation made = evaluate(scene);
+  EXPECT_EQ(made.find(id)->inside.counts().faces, 6u);
+  EXPECT_EQ(made.find(id)->solid.counts().faces, 6u);
+}
+
+TEST(Evaluate, OperandsAndResultsStandWhereTheirRemaindersSay) {
+  Scene scene;
+  const NodeId a = scene.add(block(0.1)), b = scene.add(block(7));
+  scene.edit(b).placement = moved_onto(scene.at(b).placement, {}, {{}, {{-1, 0, 0}}},
+                                       {scene.exact_world(a), {{1, 0, 0}}}, {true, false, false})
+                                .placement;
+  const Evaluation apart = evaluate(scene);
+  EXPECT_EQ(boolean(apart.find(a)->solid, apart.find(b)->solid, Operation::unite).counts().faces,
+            6u);
+  const NodeId both = scene.combine({a, b}, Operation::unite);
+  scene.edit(both).placement = {{0.3, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0x1p-70, 0, 0}};
+  const Evaluation made = evaluate(scene);
+  EXPECT_EQ(made.find(both)->solid.counts().faces, 6u);
+  EXPECT_EQ(made.find(both)->solid, transformed(made.find(both)->inside, scene.exact_world(both)));
+  EXPECT_EQ(made.find(b)->solid, transformed(made.find(b)->inside, scene.exact_world(b)));
 }
 
 TEST(Evaluate, FoldsInOrder) {

@@ -7,7 +7,6 @@
 #include <random>
 
 #include "picture/surface_mesh.h"
-#include "scene/placed_solid.h"
 #include "scene/snapping.h"
 
 namespace sectile::viewer {
@@ -130,6 +129,12 @@ std::vector<Snap> snap(const SnapFeatures& dragged, const SnapFeatures& fixed, c
   return snap(dragged, {&targets}, offset, reach, directions).contacts;
 }
 
+/// Of one solid whose node has no parent.
+Landing placed_by(const Placement& start, const Vec3& offset, const std::vector<Snap>& contacts) {
+  const Landings made = placed_by({DraggedNode{start, {}}}, offset, contacts);
+  return {made.placements.front(), made.is_exact};
+}
+
 TEST(Snapping, BlocksFindTheirCornerExactly) {
   const Solid inside = block({-0.05, -0.05, -0.05}, {0.05, 0.05, 0.05});
   const SnapFeatures fixed = snap_features(block({0.1, 0.1, 0.1}, {0.7, 0.9, 1.1}));
@@ -142,9 +147,10 @@ TEST(Snapping, BlocksFindTheirCornerExactly) {
   const std::vector<Snap> snaps = snap(dragged, fixed, offset, 0.01);
   ASSERT_EQ(snaps.size(), 1u);
   EXPECT_EQ(snaps[0].kind, Snap::Kind::vertex_vertex);
-  const Landing made = placed_by(start, {}, offset, snaps);
+  const Landing made = placed_by(start, offset, snaps);
   EXPECT_TRUE(made.is_exact);
-  EXPECT_EQ(made.placement.transform()(*snaps[0].local), snaps[0].to);
+  EXPECT_TRUE(are_equal({made.placement.exact(), snaps[0].moved[0]}, ExactSum::of(snaps[0].to),
+                        {true, true, true}));
 }
 
 TEST(Snapping, FacesBecomeFlush) {
@@ -158,13 +164,13 @@ TEST(Snapping, FacesBecomeFlush) {
   EXPECT_EQ(snaps[0].kind, Snap::Kind::face_face);
   EXPECT_EQ(snaps[0].shown.size(), 8u) << "the four sides of the wall's face";
   for (const Vec3& p : snaps[0].shown) EXPECT_EQ(p.x, 0.7);
-  const Landing landing = placed_by(start, {}, offset, snaps);
+  const Landing landing = placed_by(start, offset, snaps);
   EXPECT_TRUE(landing.is_exact);
   const Placement& made = landing.placement;
-  EXPECT_EQ(made.transform()({-0.15, 0, 0}).x, 0.7);
+  EXPECT_EQ(made.position.x, 0.85);
   EXPECT_EQ(made.position.y, 0.123 + 0.01);
   // Exactly flush: one shell, and the walls of the contact are gone.
-  const Solid placed = placed_solid(inside, made.transform());
+  const Solid placed = transformed(inside, made.exact());
   EXPECT_EQ(placed.counts().faces, inside.counts().faces);
   EXPECT_EQ(boolean(placed, wall, Operation::unite).counts().shells, 1u);
   EXPECT_TRUE(boolean(placed, wall, Operation::intersect).is_empty());
@@ -195,11 +201,11 @@ TEST(Snapping, TellsSlantedContactsFromExactOnes) {
   ASSERT_EQ(snaps.size(), 1u);
   EXPECT_EQ(snaps[0].kind, Snap::Kind::face_face);
   EXPECT_FALSE(snaps[0].is_expressible);
-  EXPECT_FALSE(placed_by(start, {}, offset, snaps).is_exact);
+  EXPECT_FALSE(placed_by(start, offset, snaps).is_exact);
   // Its sides are not slanted.
   const auto beside = snap(dragged, fixed, {1.51, 0, -5}, 0.05, {{1, 0, 0}});
   ASSERT_EQ(beside.size(), 1u);
-  EXPECT_TRUE(placed_by(start, {}, {1.51, 0, -5}, beside).is_exact);
+  EXPECT_TRUE(placed_by(start, {1.51, 0, -5}, beside).is_exact);
 }
 
 TEST(Snapping, IsFastAgainstManyTriangles) {
@@ -217,68 +223,65 @@ TEST(Snapping, IsFastAgainstManyTriangles) {
   EXPECT_TRUE(snap(many.features(), {&many}, {0.001, 0, 0}, 0.1).gave_up);
 }
 
-double& coordinate(Vec3& v, int i) {
-  return i == 0 ? v.x : i == 1 ? v.y : v.z;
-}
-
-/// Is there no position at all? Coordinates of the image grow with those of the position: it is so
-/// if the wanted one lies between the images of two neighbours. For parents turned by right angles.
-bool is_unreachable(const Placement& made, const Transform& parent, const Vec3& local,
-                    Vec3 target) {
-  for (int i = 0; i < 3; ++i)
-    for (int axis = 0; axis < 3; ++axis) {
-      if (parent.m[static_cast<std::size_t>(4 * axis + i)] == 0) continue;
-      const auto error = [&](double way) {
-        Placement beside = made;
-        double& p = coordinate(beside.position, i);
-        if (way != 0) p = std::nextafter(p, way);
-        Vec3 image = (parent * beside.transform())(local);
-        return coordinate(image, axis) - coordinate(target, axis);
-      };
-      if (error(0) != 0 && (error(HUGE_VAL) * error(0) < 0 || error(-HUGE_VAL) * error(0) < 0))
-        return true;
-    }
-  return false;
-}
-
-TEST(Snapping, MovesAPointExactlyOntoATargetOrSaysThatNoneDoes) {
+// Sums of two doubles hold what sums of few doubles make: only a turned parent has none as a rule.
+TEST(Snapping, MovesAPointExactlyOntoATarget) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(-1, 1);
-  const Transform parents[]{{}, Placement{{0.1, 0.2, 0.3}, {90, 0, 0}, {1, 1, 1}}.transform()};
-  for (const double far : {24.0, 0.0}) {
-    int exact = 0, unreachable = 0;
-    for (int i = 0; i < 400; ++i) {
-      const Placement start{{any(random), any(random), any(random)}, {0, 90, 33}, {1, 2, 0.5}};
-      const Vec3 local{any(random), any(random), any(random)};
-      const Vec3 target{far + any(random), far + any(random), far + any(random)};
-      const Transform& parent = parents[i % 2];
-      const Landing made = moved_onto(start, parent, local, target);
-      const Vec3 reached = (parent * made.placement.transform())(local);
-      EXPECT_NEAR(reached.x, target.x, 1e-14);
-      EXPECT_EQ(made.is_exact, reached == target);
-      exact += made.is_exact;
-      unreachable += !made.is_exact && is_unreachable(made.placement, parent, local, target);
-    }
-    RecordProperty(far == 0 ? "exact_of_400_near" : "exact_of_400_far", exact);
-    // Where positions are no finer than targets, all are reached but those between two images;
-    // near the origin positions are often coarser.
-    EXPECT_EQ(exact + unreachable, 400) << far;
-    EXPECT_GE(exact, far == 0 ? 100 : 394) << far;
+  const ExactTransform parents[]{{}, Placement{{0.1, 0.2, 0.3}, {90, 0, 0}, {1, 1, 1}}.exact()};
+  for (int i = 0; i < 400; ++i) {
+    const Placement start{{any(random), any(random), any(random)}, {0, 90, 0}, {1, 2, 0.5}};
+    const ExactSum local({}, {{any(random), any(random), any(random)}});
+    const ExactSum target = ExactSum::of({24 + any(random), any(random), any(random)});
+    const Landing made = moved_onto(start, parents[i % 2], local, target);
+    EXPECT_TRUE(made.is_exact);
+    EXPECT_TRUE(are_equal(local.mapped(parents[i % 2] * made.placement.exact()), target,
+                          {true, true, true}));
   }
 }
 
-TEST(Snapping, IsExactInTurnedParentsForOneCoordinate) {
+TEST(Snapping, SaysThatAPointInATurnedParentComesNear) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> any(-1, 1);
   int exact = 0;
   for (int i = 0; i < 200; ++i) {
-    const Transform parent = Placement{{any(random), 0, 0}, {10, 20, 30}, {1, 1, 1}}.transform();
-    const Vec3 local{any(random), any(random), any(random)}, target{9 + any(random), 0, 0};
-    const Landing made = moved_onto({}, parent, local, target, {true, false, false});
+    const ExactTransform parent = Placement{{any(random), 0, 0}, {10, 20, 30}, {1, 1, 1}}.exact();
+    const ExactSum local({}, {{any(random), any(random), any(random)}});
+    const ExactSum target = ExactSum::of({9 + any(random), 0, 0});
+    const Coordinates x{true, false, false};
+    const Landing made = moved_onto({}, parent, local, target, x);
+    const ExactSum reached = local.mapped(parent * made.placement.exact());
     exact += made.is_exact;
-    EXPECT_EQ((parent * made.placement.transform())(local).x == target.x, made.is_exact);
+    EXPECT_EQ(are_equal(reached, target, x), made.is_exact);
+    EXPECT_LT(std::abs(ExactSum(target).add(reached, -1).value().x), 1e-30);
   }
-  EXPECT_GT(exact, 180);
+  EXPECT_LT(exact, 200);
+}
+
+// Two blocks that are flush between doubles are dragged together onto a third one.
+TEST(Snapping, NodesThatAreDraggedTogetherStayFlush) {
+  const Solid cube = block({-0.15, -0.15, -0.15}, {0.15, 0.15, 0.15});
+  const Placement left = at(0.1, 0, 0);
+  const ExactSum side(left.exact(), {{0.15, 0, 0}});
+  const Landing right =
+      moved_onto(at(1, 0, 0), {}, {{}, {{-0.15, 0, 0}}}, side, {true, false, false});
+  ASSERT_TRUE(right.is_exact);
+  const SnapFeatures wall = snap_features(block({1.7, -5, -5}, {2.3, 5, 5}));
+  SnapFeatures dragged;
+  dragged.add(snap_features(cube, left.transform()), 0);
+  dragged.add(snap_features(cube, right.placement.transform()), 1);
+  const Vec3 offset{1.16, 0.01, 0};
+  const std::vector<Snap> snaps = snap(dragged, wall, offset, 0.02);
+  ASSERT_EQ(snaps.size(), 1u);
+  const Landings made =
+      placed_by({DraggedNode{left, {}, {ExactTransform(), std::nullopt}},
+                 DraggedNode{right.placement, {}, {std::nullopt, ExactTransform()}}},
+                offset, snaps);
+  EXPECT_TRUE(made.is_exact);
+  const Solid a = transformed(cube, made.placements[0].exact());
+  const Solid b = transformed(cube, made.placements[1].exact());
+  EXPECT_EQ(boolean(a, b, Operation::unite).counts().faces, 6u);
+  EXPECT_EQ(boolean(b, block({1.7, -5, -5}, {2.3, 5, 5}), Operation::unite).counts().shells, 1u);
+  EXPECT_TRUE(boolean(b, block({1.7, -5, -5}, {2.3, 5, 5}), Operation::intersect).is_empty());
 }
 
 }  // namespace

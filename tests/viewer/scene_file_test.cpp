@@ -19,7 +19,7 @@ Scene scene_of_everything() {
     p.profile = {{{0, 0}, {1, 0}, {0.5, 0.7}}, {{{0.1, 0.1}, {0.2, 0.1}, {0.2, 0.3}}}};
     Node node;
     node.what = p;
-    node.placement = {{-0.0, 1e22, 5e-324}, {30, 0.1, -90}, {1, 2, -3}};
+    node.placement = {{-0.0, 1e22, 5e-324}, {30, 0.1, -90}, {1, 2, -3}, {0, -0x1p-1, 0x1.8p-60}};
     node.visible = shape != 3;
     ids.push_back(scene.add(node));
   }

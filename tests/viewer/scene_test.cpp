@@ -94,6 +94,19 @@ TEST(Scene, KeepsWorldPlacesWhenNodesMoveInTheTree) {
   EXPECT_EQ(scene.at(a).placement, (Placement{{1, 8, 3}, {0, 0, 90}, {2, 2, 2}}));
 }
 
+TEST(Scene, NodesThatChangeTheirParentStayExactlyWhereTheyAre) {
+  Scene scene;
+  const NodeId a = scene.add(block_at(0.2)), b = scene.add(block_at(1.0 / 3));
+  const NodeId group = scene.group({a});
+  scene.edit(group).placement = {{0.1, 1e9, 0}, {0, 0, 90}, {1, 1, 1}};
+  const ExactTransform of_a = scene.exact_world(a), of_b = scene.exact_world(b);
+  scene.move(b, group);
+  EXPECT_EQ(scene.exact_world(b), of_b);
+  scene.ungroup(group);
+  EXPECT_EQ(scene.exact_world(a), of_a);
+  EXPECT_EQ(scene.exact_world(b), of_b);
+}
+
 TEST(Scene, SplitsIntoTwoPartsInTheSamePlace) {
   Scene scene;
   const NodeId a = scene.add(block_at(0)), b = scene.add(block_at(9));

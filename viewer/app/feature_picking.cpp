@@ -69,17 +69,15 @@ std::optional<std::size_t> edge_at_point(const SnapFeatures& features, const glm
   return best;
 }
 
-Transform way_up(const Scene& scene, NodeId id, NodeId top) {
+ExactTransform way_up(const Scene& scene, NodeId id, NodeId top) {
   if (id == top) return {};
-  const Transform own = scene.at(id).placement.transform();
-  const NodeId parent = scene.at(id).parent;
-  return parent == top ? own : way_up(scene, parent, top) * own;
+  return way_up(scene, scene.at(id).parent, top) * scene.at(id).placement.exact();
 }
 
 void add_box(const Session& session, NodeId id, NodeId mover, ExactBox& box) {
   const Evaluation::Entry* entry = session.evaluation() ? session.evaluation()->find(id) : nullptr;
   if (entry && entry->error.empty() && !entry->inside.is_empty())
-    return box.add(standing_of(session.scene(), id, mover), entry->inside.to_mesh().positions);
+    return box.add(standing_of(session.scene(), id, mover), exact_mesh(entry->inside).corners);
   for (const NodeId child : session.scene().at(id).children) add_box(session, child, mover, box);
 }
 
@@ -98,7 +96,7 @@ std::optional<PickedSpot> FeaturePicker::spot_of(const Session& session, NodeId 
   PickedSpot spot;
   spot.node = node;
   spot.mover = mover_of(session, node);
-  spot.features = known_.of(entry->inside, session.scene().world(node));
+  spot.features = known_.of(entry->inside, session.scene().exact_world(node));
   return spot;
 }
 
@@ -163,7 +161,8 @@ std::optional<PickedSpot> FeaturePicker::edge_at(const Session& session, glm::dv
 }
 
 Standing standing_of(const Scene& scene, NodeId node, NodeId mover) {
-  return {scene.at(mover).placement, scene.world_of_parent(mover), way_up(scene, node, mover)};
+  return {scene.at(mover).placement, scene.exact_world_of_parent(mover),
+          way_up(scene, node, mover)};
 }
 
 ExactBox exact_box_of(const Session& session, NodeId id) {

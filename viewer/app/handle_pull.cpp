@@ -168,23 +168,35 @@ Scene HandlePull::moved_on_grid(const Session& session, const glm::dvec3& offset
     snapped_offset += handles_.axes[axis] * (snapped(from + by, step) - from);
   }
   Scene scene = moved_by(snapped_offset);
-  for (const NodeId id : nodes_) place_on_grid(scene.edit(id).placement, id, {}, step);
+  const NodeId last = nodes_.back();
+  Placement placed = scene.at(last).placement;
+  place_on_grid(placed, last, {}, step);
+  if (placed == scene.at(last).placement) return scene;
+  // All others move as the last one does: what is flush stays so.
+  const Shift shift = shift_between(start_.at(last).placement, placed);
+  for (const NodeId id : nodes_)
+    if (start_.exact_world_of_parent(id).is_identity())
+      scene.edit(id).placement = shifted(start_.at(id).placement, shift);
+  scene.edit(last).placement = placed;
   return scene;
 }
 
 /// Coordinates that a drag along the world's axes may change, and no contact fixes, become round.
 void HandlePull::place_on_grid(Placement& placement, NodeId id, const std::vector<Snap>& contacts,
                                double step) const {
-  if (own_axes_ || id != nodes_.back() || !is_identity(start_.world_of_parent(id))) return;
-  const Vec3 start = start_.at(id).placement.position;
+  if (own_axes_ || !start_.exact_world_of_parent(id).is_identity()) return;
+  const Placement& start = start_.at(id).placement;
   for (int axis = 0; axis < 3; ++axis) {
     const bool is_fixed = std::any_of(contacts.begin(), contacts.end(), [&](const Snap& contact) {
       return contact.fixed[static_cast<std::size_t>(axis)];
     });
-    Vec3 before = start;
-    if (is_fixed || !is_along(axis) || coordinate(before, axis) != handles_.origin[axis]) continue;
+    Vec3 before = start.position, rest = start.remainder;
+    if (is_fixed || !is_along(axis) ||
+        coordinate(before, axis) + coordinate(rest, axis) != handles_.origin[axis])
+      continue;
     double& now = coordinate(placement.position, axis);
     now = snapped(now, step);
+    coordinate(placement.remainder, axis) = 0;
   }
 }
 
@@ -204,11 +216,14 @@ std::array<bool, 3> HandlePull::reached_coordinates(NodeId id) const {
 /// A handle of an axis moves along that axis and nowhere else, by not even the last bit.
 void HandlePull::keep_on_axis(Placement& placement, NodeId id) {
   const std::array<bool, 3> reached = reached_coordinates(id);
-  Vec3 start = start_.at(id).placement.position;
+  Placement start = start_.at(id).placement;
   for (int axis = 0; axis < 3; ++axis) {
     double& now = coordinate(placement.position, axis);
-    if (reached[static_cast<std::size_t>(axis)] || now == coordinate(start, axis)) continue;
-    now = coordinate(start, axis);
+    double& rest = coordinate(placement.remainder, axis);
+    const double before = coordinate(start.position, axis);
+    const double rest_before = coordinate(start.remainder, axis);
+    if (reached[static_cast<std::size_t>(axis)] || (now == before && rest == rest_before)) continue;
+    now = before, rest = rest_before;
     state_.leaves_axis = true;
   }
 }
@@ -221,21 +236,20 @@ std::optional<Scene> HandlePull::moved_into_contact(const Session& session,
   if (found.gave_up) state_.text = " \u00B7 too much within reach: grid only";
   if (found.contacts.empty()) return std::nullopt;
   const std::vector<Snap>& contacts = found.contacts;
-  state_.is_contact = state_.is_exact = true;
+  state_.is_contact = true;
   Scene scene = start_;
+  const Landings landings =
+      placed_by(others.dragged_nodes(start_), contacts.back().offset, contacts);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const Landing landing = placed_by(start_.at(nodes_[i]).placement, others.parent_of(i),
-                                      contacts.back().offset, contacts, others.ways_to(i));
     Placement& placement = scene.edit(nodes_[i]).placement;
-    placement = landing.placement;
+    placement = landings.placements[i];
     keep_on_axis(placement, nodes_[i]);
-    state_.is_exact = state_.is_exact && landing.is_exact;
     if (nodes_.size() == 1 && is_identity(others.frame()))
       place_on_grid(placement, nodes_[i], contacts, grid_step(session, handles_.origin));
   }
-  for (const Snap& contact : contacts)
-    state_.is_exact = state_.is_exact && others.is_computed_alike(contact);
-  state_.is_exact = state_.is_exact && !state_.leaves_axis;
+  state_.is_exact = landings.is_exact && !state_.leaves_axis &&
+                    std::all_of(contacts.begin(), contacts.end(),
+                                [&](const Snap& contact) { return others.is_known(contact); });
   const Transform before = start_.world(nodes_.back()), after = scene.world(nodes_.back());
   offset_ = {after.m[3] - before.m[3], after.m[7] - before.m[7], after.m[11] - before.m[11]};
   state_.text = told(offset_);
@@ -253,7 +267,7 @@ void HandlePull::show_contacts(const SnapScene& others, const std::vector<Snap>&
     const std::string name = name_of(contact.kind);
     if (!std::count(names.begin(), names.end(), name)) names.push_back(name);
     for (const Vec3& end : contact.shown) state_.edges.push_back(in_world(end));
-    const bool is_point = contact.fixed == std::array<bool, 3>{true, true, true};
+    const bool is_point = contact.fixed == Coordinates{true, true, true};
     if (is_point || contact.kind == Snap::Kind::face_vertex)
       state_.points.push_back(in_world(contact.to));
   }
@@ -261,7 +275,7 @@ void HandlePull::show_contacts(const SnapScene& others, const std::vector<Snap>&
   for (std::size_t i = 0; i < names.size(); ++i) state_.text += (i > 0 ? ", " : "") + names[i];
   state_.text += state_.is_exact      ? ": exact"
                  : state_.leaves_axis ? ": near, not exact (it lies beside the way of this handle)"
-                                      : ": near, not exact (no double lies there)";
+                                      : ": near, not exact (no sum of two doubles lies there)";
 }
 
 Scene HandlePull::turned_or_scaled(HandleChange change, bool snapping) {

@@ -59,6 +59,10 @@ bool draw_typing(PanelContext& context, const std::string& name, float width, co
   return changed;
 }
 
+std::string signed_text(double value) {
+  return (value < 0 ? " - " : " + ") + shortest(std::abs(value));
+}
+
 std::string written_out(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.15g", value);
@@ -86,9 +90,10 @@ bool takes_over(TypedField& typed) {
 }  // namespace
 
 Edited number_field(PanelContext& context, const std::string& name, double& value, double speed,
-                    float width, Quantity quantity, NumberRange range) {
+                    float width, Quantity quantity, NumberRange range, double beside) {
   TypedField& typed = context.session.typed;
-  if (takes_over(typed)) begin(typed, name, shortest(value));
+  const auto meant = [&] { return shortest(value) + (beside == 0 ? "" : signed_text(beside)); };
+  if (takes_over(typed)) begin(typed, name, meant());
   Edited edited;
   if (typed.field == name) {
     edited.changing = edited.done = draw_typing(context, name, width, [&](const std::string& text) {
@@ -103,7 +108,7 @@ Edited number_field(PanelContext& context, const std::string& name, double& valu
                                       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
   if (edited.changing) value = shown;
   edited.done = ImGui::IsItemDeactivatedAfterEdit();
-  if (was_clicked()) begin(typed, name, shortest(value));
+  if (was_clicked()) begin(typed, name, meant());
   context.widgets.record_item(name);
   return edited;
 }

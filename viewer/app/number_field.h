@@ -21,8 +21,9 @@ struct NumberRange {
   double low = -1e9, high = 1e9;
 };
 
+/// `beside`: what the value that is meant has beside the double; it is shown for typing.
 Edited number_field(PanelContext& context, const std::string& name, double& value, double speed,
-                    float width, Quantity quantity, NumberRange range = {});
+                    float width, Quantity quantity, NumberRange range = {}, double beside = 0);
 Edited count_field(PanelContext& context, const std::string& name, std::uint32_t& value, int low,
                    int high, float width);
 

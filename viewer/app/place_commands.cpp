@@ -1,5 +1,6 @@
 // The commands that bring solids into contact and into line.
 #include <algorithm>
+#include <bit>
 #include <functional>
 #include <memory>
 
@@ -46,26 +47,22 @@ void place(Session& session, const std::string& what,
         }
       }))
     return;
-  session.messages.tell(what + (exact ? ": exact." : ": near, not exact (doubles cannot say it)."));
+  session.messages.tell(
+      what + (exact ? ": exact." : ": near, not exact (sums of two doubles cannot say it)."));
 }
 
 void put_on_ground(Session& session) {
   std::vector<std::pair<NodeId, Landing>> landings;
   for (const Boxed& boxed : boxes_of(session, session.topmost_selected()))
-    landings.emplace_back(boxed.id, aligned(boxed.box, 2, BoxPlace::low, 0));
+    landings.emplace_back(boxed.id, aligned(boxed.box, 2, BoxPlace::low, ExactSum::of({0, 0, 0})));
   place(session, "Put on the ground", landings);
-}
-
-double value_of(const std::optional<ExactBox::Side>& side) {
-  return side->value;
 }
 
 void align(Session& session, int axis, BoxPlace where, const std::string& what) {
   std::vector<Boxed> boxed = boxes_of(session, session.topmost_selected());
   if (boxed.size() < 2) return;
-  const auto i = static_cast<std::size_t>(axis);
   const ExactBox& to = boxed.back().box;  // the one selected last stays
-  const double low = value_of(to.low[i]), high = value_of(to.high[i]);
+  const ExactSum low = to.low(axis).exact(), high = to.high(axis).exact();
   std::vector<std::pair<NodeId, Landing>> landings;
   for (std::size_t n = 0; n + 1 < boxed.size(); ++n)
     landings.emplace_back(
@@ -79,20 +76,25 @@ void align(Session& session, int axis, BoxPlace where, const std::string& what) 
 void distribute(Session& session, int axis, const std::string& what) {
   std::vector<Boxed> boxed = boxes_of(session, session.topmost_selected());
   if (boxed.size() < 3) return;
-  const auto i = static_cast<std::size_t>(axis);
+  const auto low = [&](std::size_t n) { return boxed[n].box.low(axis).exact(); };
+  const auto high = [&](std::size_t n) { return boxed[n].box.high(axis).exact(); };
   std::sort(boxed.begin(), boxed.end(), [&](const Boxed& a, const Boxed& b) {
-    return value_of(a.box.low[i]) < value_of(b.box.low[i]);
+    return a.box.low(axis).value < b.box.low(axis).value;
   });
-  double room = value_of(boxed.back().box.low[i]) - value_of(boxed.front().box.high[i]);
-  for (std::size_t n = 1; n + 1 < boxed.size(); ++n)
-    room -= value_of(boxed[n].box.high[i]) - value_of(boxed[n].box.low[i]);
-  const double gap = room / static_cast<double>(boxed.size() - 1);
-  double at = value_of(boxed.front().box.high[i]);
+  const std::size_t last = boxed.size() - 1;
+  ExactSum gaps = low(last);  // all of them together
+  gaps.add(high(0), -1);
+  for (std::size_t n = 1; n < last; ++n) gaps.add(high(n), -1).add(low(n), 1);
   std::vector<std::pair<NodeId, Landing>> landings;
-  for (std::size_t n = 1; n + 1 < boxed.size(); ++n) {
-    at += gap;
-    landings.emplace_back(boxed[n].id, aligned(boxed[n].box, axis, BoxPlace::low, at));
-    at += value_of(boxed[n].box.high[i]) - value_of(boxed[n].box.low[i]);
+  ExactSum widths = high(0);
+  for (std::size_t n = 1; n < last; ++n) {
+    const double part = static_cast<double>(n) / static_cast<double>(last);
+    ExactSum at = widths;
+    Landing landing = aligned(boxed[n].box, axis, BoxPlace::low, at.add(gaps, part));
+    // Parts of the room other than halves, quarters and so on are no doubles.
+    landing.is_exact = landing.is_exact && std::has_single_bit(last);
+    landings.emplace_back(boxed[n].id, landing);
+    widths.add(high(n), 1).add(low(n), -1);
   }
   place(session, what, landings);
 }

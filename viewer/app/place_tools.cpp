@@ -1,6 +1,8 @@
 #include "app/place_tools.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "picture/theme.h"
 #include "scene/transforms.h"
@@ -9,42 +11,33 @@ namespace sectile::viewer {
 namespace {
 
 const char* said(bool exact) {
-  return exact ? "exact" : "near, not exact (doubles cannot say it)";
+  return exact ? "exact" : "near, not exact (sums of two doubles cannot say it)";
 }
 
 /// The corners of a face in the coordinates of its solid.
-std::vector<Vec3> local_corners(const PickedSpot& spot) {
+std::vector<ExactCorner> corners_of(const PickedSpot& spot) {
   // The features know the vertices of the face by their place in the world.
-  std::vector<Vec3> corners;
+  const SnapFeatures& features = spot.features->features();
+  std::vector<ExactCorner> corners;
   const std::vector<Vec3> outline = spot.features->outline(spot.face());
-  for (const SnapFeatures::Vertex& vertex : spot.features->features().vertices)
-    for (const Vec3& end : outline)
-      if (end == vertex.point) {
-        corners.push_back(vertex.local);
-        break;
-      }
-  if (corners.empty()) corners.push_back(spot.face().local);
-  return corners;
-}
-
-std::vector<Vec3> world_corners(const PickedSpot& spot) {
-  std::vector<Vec3> corners = spot.features->outline(spot.face());
-  if (corners.empty()) corners.push_back(spot.face().point);
+  for (const SnapFeatures::Vertex& vertex : features.vertices)
+    if (std::find(outline.begin(), outline.end(), vertex.point) != outline.end())
+      corners.push_back(features.corners[vertex.corner]);
+  if (corners.empty())
+    for (const SnapFeatures::CornerIndex corner : spot.face().corners)
+      corners.push_back(features.corners[corner]);
   return corners;
 }
 
 /// An edge that begins at the end nearer to where it was picked.
-PlacedEdge edge_from(const PickedSpot& spot, const Vec3& from, const Vec3& to) {
+PlacedEdge edge_of(const PickedSpot& spot) {
+  const SnapFeatures::Edge& edge = spot.edge();
+  const std::vector<ExactCorner>& corners = spot.features->features().corners;
   const glm::dvec3 p = to_glm(spot.point);
-  const bool turn =
-      glm::distance(p, to_glm(spot.edge().to)) < glm::distance(p, to_glm(spot.edge().from));
-  return turn ? PlacedEdge{to, from} : PlacedEdge{from, to};
-}
-
-Vec3 local_of(const PickedSpot& spot, const Vec3& in_world) {
-  for (const SnapFeatures::Vertex& vertex : spot.features->features().vertices)
-    if (vertex.point == in_world) return vertex.local;
-  return spot.edge().local;
+  PlacedEdge made{corners[edge.corners[0]], corners[edge.corners[1]], spot.features->place()};
+  if (glm::distance(p, to_glm(edge.to)) < glm::distance(p, to_glm(edge.from)))
+    std::swap(made.from, made.to);
+  return made;
 }
 
 }  // namespace
@@ -76,11 +69,7 @@ void PlaceTool::press(Session& session, const Pointer& pointer) {
 
 void PlaceTool::show(Session& session) {
   landing_ = land(start_, *first_, *second_);
-  // What is computed in the coordinates of an operation or group that was moved may round again.
-  const Scene& now = session.scene();
-  landing_.is_exact = landing_.is_exact && is_identity(start_.parent) &&
-                      is_identity(now.world_of_parent(second_->node));
-  Scene scene = now;
+  Scene scene = session.scene();
   scene.edit(first_->mover).placement = landing_.placement;
   session.document.show_draft(title(), std::move(scene));
   session.dragging = title() + ": " + said(landing_.is_exact);
@@ -119,7 +108,7 @@ void PlaceTool::add_to(Picture& picture, const Session& session) const {
 std::string FaceOnFace::hint(const Session&) const {
   if (!has_first()) return "Click the face that is to be moved.";
   if (!has_both()) return "Click the face on which it is to lie.";
-  return std::string(is_exact() ? "Exact" : "Near, not exact (doubles cannot say it)") +
+  return std::string(is_exact() ? "Exact" : "Near, not exact (sums of two doubles cannot say it)") +
          " \u00B7 C: centred (" + (options_.centred ? "on" : "off") +
          ") \u00B7 T: " + (options_.same_side ? "touching" : "level, on the same side") +
          " \u00B7 Enter or click: take \u00B7 Esc: give back";
@@ -131,8 +120,8 @@ std::optional<PickedSpot> FaceOnFace::pick(const Session& session, glm::dvec2 pi
 
 Landing FaceOnFace::land(const Standing& start, const PickedSpot& moved,
                          const PickedSpot& fixed) const {
-  return flush(start, {moved.face().normal, local_corners(moved)},
-               {fixed.face().normal, world_corners(fixed)}, options_);
+  return flush(start, {moved.face().normal, corners_of(moved)},
+               {fixed.face().normal, corners_of(fixed), fixed.features->place()}, options_);
 }
 
 bool FaceOnFace::option(char letter) {
@@ -144,7 +133,7 @@ bool FaceOnFace::option(char letter) {
 std::string EdgeOnEdge::hint(const Session&) const {
   if (!has_first()) return "Click the edge that is to be moved, near the end that matters.";
   if (!has_both()) return "Click the edge on which it is to lie, near the end that it is to meet.";
-  return std::string(is_exact() ? "Exact" : "Near, not exact (doubles cannot say it)") +
+  return std::string(is_exact() ? "Exact" : "Near, not exact (sums of two doubles cannot say it)") +
          " \u00B7 T: turn it round \u00B7 Enter or click: take \u00B7 Esc: give back";
 }
 
@@ -154,10 +143,9 @@ std::optional<PickedSpot> EdgeOnEdge::pick(const Session& session, glm::dvec2 pi
 
 Landing EdgeOnEdge::land(const Standing& start, const PickedSpot& moved,
                          const PickedSpot& fixed) const {
-  const SnapFeatures::Edge& edge = moved.edge();
-  PlacedEdge own = edge_from(moved, local_of(moved, edge.from), local_of(moved, edge.to));
+  PlacedEdge own = edge_of(moved);
   if (turned_round_) std::swap(own.from, own.to);
-  return edge_on_edge(start, own, edge_from(fixed, fixed.edge().from, fixed.edge().to));
+  return edge_on_edge(start, own, edge_of(fixed));
 }
 
 bool EdgeOnEdge::option(char letter) {

@@ -26,13 +26,11 @@ NodeId operation_above(const Scene& scene, const Selection& nodes) {
   return common.value_or(0);
 }
 
-/// From a node's coordinates to those of a node above it (0: the world's), composed as
-/// Scene::world does it.
-Transform way_up(const Scene& scene, NodeId id, NodeId top) {
+/// From a node's coordinates to those of a node above it (0: the world's).
+ExactTransform way_up(const Scene& scene, NodeId id, NodeId top) {
   if (id == top) return {};
   const Node& node = scene.at(id);
-  const Transform own = node.placement.transform();
-  return node.parent == top ? own : way_up(scene, node.parent, top) * own;
+  return way_up(scene, node.parent, top) * node.placement.exact();
 }
 
 /// The solid that a node stands for, if it is not merely a group.
@@ -52,10 +50,12 @@ double average_scale(const Transform& transform) {
 
 }  // namespace
 
-std::shared_ptr<const SnapTargets> KnownTargets::of(const Solid& inside, const Transform& place) {
-  Known& known = known_[{inside.data().get(), place.m}];
-  if (!known.targets)
-    known = {inside, std::make_shared<const SnapTargets>(snap_features(inside, place))};
+std::shared_ptr<const SnapTargets> KnownTargets::of(const Solid& inside,
+                                                    const ExactTransform& place) {
+  const Transform rounded = place.nearest();
+  Known& known = known_[{inside.data().get(), rounded.m}];
+  if (!known.targets || !(known.targets->place() == place))
+    known = {inside, std::make_shared<const SnapTargets>(snap_features(inside, rounded), place)};
   known.used = true;
   return known.targets;
 }
@@ -69,6 +69,8 @@ SnapScene::SnapScene(const Session& session, const Selection& nodes, KnownTarget
     : known_(known), nodes_(nodes), operation_(operation_above(session.scene(), nodes)) {
   const Scene& scene = session.scene();
   if (operation_ != 0) frame_ = scene.world(operation_);
+  into_frame_ =
+      operation_ != 0 ? scene.exact_world(operation_).inverse() : std::optional(ExactTransform());
   known_.forget_unused();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     parents_.push_back(way_up(scene, scene.at(nodes[i]).parent, operation_));
@@ -79,20 +81,22 @@ SnapScene::SnapScene(const Session& session, const Selection& nodes, KnownTarget
 }
 
 void SnapScene::add_dragged(const Session& session, NodeId id, std::size_t node,
-                            const Transform& way) {
+                            const ExactTransform& way) {
   const Scene& scene = session.scene();
   if (const Solid* inside = inside_of(session, id)) {
-    const Transform place = parents_[node] * scene.at(nodes_[node]).placement.transform() * way;
-    dragged_.add(snap_features(*inside, place), static_cast<std::uint32_t>(parts_.size()));
+    const ExactTransform place = parents_[node] * scene.at(nodes_[node]).placement.exact() * way;
+    dragged_.add(snap_features(*inside, place.nearest()),
+                 static_cast<std::uint32_t>(parts_.size()));
     parts_.push_back({node, way});
     return;
   }
   for (const NodeId child : scene.at(id).children)
-    add_dragged(session, child, node, way * scene.at(child).placement.transform());
+    add_dragged(session, child, node, way * scene.at(child).placement.exact());
 }
 
-Transform SnapScene::place_in_frame(const Scene& scene, NodeId id, bool in_frame) const {
+ExactTransform SnapScene::place_in_frame(const Scene& scene, NodeId id, bool in_frame) const {
   if (in_frame) return way_up(scene, id, operation_);
+  if (into_frame_) return *into_frame_ * scene.exact_world(id);
   return inverse(frame_) * scene.world(id);
 }
 
@@ -104,18 +108,21 @@ void SnapScene::add_others(const Session& session, NodeId id, bool in_frame) {
       nodes_.begin(), nodes_.end(), [&](NodeId dragged) { return scene.is_below(dragged, id); });
   const Solid* inside = leads_to_dragged ? nullptr : inside_of(session, id);
   if (inside) {
-    others_.push_back(
-        {*inside, place_in_frame(scene, id, in_frame), session.bounds_of(id), in_frame, nullptr});
+    others_.push_back({*inside, place_in_frame(scene, id, in_frame), session.bounds_of(id),
+                       in_frame || into_frame_.has_value(), nullptr});
     return;
   }
   for (const NodeId child : node.children) add_others(session, child, in_frame || id == operation_);
 }
 
-std::vector<std::optional<Transform>> SnapScene::ways_to(std::size_t node) const {
-  std::vector<std::optional<Transform>> ways;
-  for (const Part& part : parts_)
-    ways.push_back(part.node == node ? std::optional(part.way) : std::nullopt);
-  return ways;
+std::vector<DraggedNode> SnapScene::dragged_nodes(const Scene& scene) const {
+  std::vector<DraggedNode> made;
+  for (std::size_t node = 0; node < nodes_.size(); ++node) {
+    made.push_back({scene.at(nodes_[node]).placement, parents_[node], {}});
+    for (const Part& part : parts_)
+      made.back().ways.push_back(part.node == node ? std::optional(part.way) : std::nullopt);
+  }
+  return made;
 }
 
 glm::dvec3 SnapScene::to_world(const Vec3& vector) const {
@@ -147,8 +154,8 @@ Snaps SnapScene::find(const glm::dvec3& offset, double reach, const SnapDirectio
   return snap(dragged_, targets, from_glm(from_world(offset)), reach / average_scale(frame_), free);
 }
 
-bool SnapScene::is_computed_alike(const Snap& contact) const {
-  return others_[searched_.at(contact.target)].is_in_frame || is_identity(frame_);
+bool SnapScene::is_known(const Snap& contact) const {
+  return others_[searched_.at(contact.target)].is_known;
 }
 
 }  // namespace sectile::viewer

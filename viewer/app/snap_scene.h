@@ -18,7 +18,7 @@ namespace sectile::viewer {
 /// Features of solids standing still, kept from one drag to the next.
 class KnownTargets {
  public:
-  std::shared_ptr<const SnapTargets> of(const Solid& inside, const Transform& place);
+  std::shared_ptr<const SnapTargets> of(const Solid& inside, const ExactTransform& place);
   /// Forgets what nobody asked for since the last call.
   void forget_unused();
 
@@ -39,38 +39,38 @@ class SnapScene {
   /// From the coordinates of the contacts to the world's, and from those that a dragged node's
   /// placement stands in.
   const Transform& frame() const { return frame_; }
-  const Transform& parent_of(std::size_t node) const { return parents_.at(node); }
-  /// Of each part of the drag: the way from it to this dragged node, if it belongs to it.
-  std::vector<std::optional<Transform>> ways_to(std::size_t node) const;
+  /// In the order in which the nodes were given.
+  std::vector<DraggedNode> dragged_nodes(const Scene& scene) const;
 
   /// Offsets, reach and directions as in the world.
   Snaps find(const glm::dvec3& offset, double reach, const SnapDirections& directions);
   glm::dvec3 to_world(const Vec3& vector) const;  ///< of a move
   glm::dvec3 from_world(const glm::dvec3& vector) const;
-  /// Is the solid that a contact is with computed in the same coordinates?
-  bool is_computed_alike(const Snap& contact) const;
+  /// Is it known exactly where the solid that a contact is with stands?
+  bool is_known(const Snap& contact) const;
 
  private:
   struct Part {
     std::size_t node;
-    Transform way;  // to the node's own coordinates
+    ExactTransform way;  // to the node's own coordinates
   };
   struct Other {
     Solid inside;
-    Transform place;
+    ExactTransform place;
     Bounds bounds;  // in the world
-    bool is_in_frame = true;
+    bool is_known = true;
     std::shared_ptr<const SnapTargets> targets;  // once it came near
   };
-  void add_dragged(const Session& session, NodeId id, std::size_t node, const Transform& way);
+  void add_dragged(const Session& session, NodeId id, std::size_t node, const ExactTransform& way);
   void add_others(const Session& session, NodeId id, bool in_frame);
-  Transform place_in_frame(const Scene& scene, NodeId id, bool in_frame) const;
+  ExactTransform place_in_frame(const Scene& scene, NodeId id, bool in_frame) const;
 
   KnownTargets& known_;
   Selection nodes_;
   NodeId operation_ = 0;  // whose coordinates the frame is
   Transform frame_;
-  std::vector<Transform> parents_;
+  std::optional<ExactTransform> into_frame_;  // if doubles can say it
+  std::vector<ExactTransform> parents_;
   std::vector<Part> parts_;
   SnapFeatures dragged_;
   Bounds bounds_;  // of what is dragged, in the world

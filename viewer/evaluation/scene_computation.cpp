@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "picture/surface_mesh.h"
-#include "scene/placed_solid.h"
 #include "scene/primitives.h"
 #include "scene/transforms.h"
 
@@ -66,13 +65,30 @@ ValuePointer SceneComputation::known_or_made(const ValueKey& key, Make&& make) {
 ValuePointer SceneComputation::placed(const ValuePointer& value, const Transform& by) {
   if (is_identity(by) || !value->error.empty() || value->solid.is_empty()) return value;
   return known_or_made(ValueKey('t').add(value->id).add(by),
-                       [&] { return value_of(placed_solid(value->solid, by), value->faces); });
+                       [&] { return value_of(transformed(value->solid, by), value->faces); });
+}
+
+ValuePointer SceneComputation::placed(const ValuePointer& value, const Placement& by) {
+  const Transform rounded = by.transform();
+  if (by.remainder == Vec3{0, 0, 0}) return placed(value, rounded);
+  if (!value->error.empty() || value->solid.is_empty()) return value;
+  return known_or_made(
+      ValueKey('r').add(value->id).add(rounded).add(by.position).add(by.remainder),
+      [&] { return value_of(transformed(value->solid, by.exact()), value->faces); });
+}
+
+// Moved step by step, and so exactly as the operands of operations are.
+ValuePointer SceneComputation::in_world(const Node& node) {
+  ValuePointer value = inside(node);
+  for (const Node* at = &node; at; at = scene_->find(at->parent))
+    value = placed(value, at->placement);
+  return value;
 }
 
 std::vector<ValuePointer> SceneComputation::placed_children(const Node& node) {
   std::vector<ValuePointer> made;
   for (const NodeId child : node.children)
-    made.push_back(placed(inside(scene_->at(child)), scene_->at(child).placement.transform()));
+    made.push_back(placed(inside(scene_->at(child)), scene_->at(child).placement));
   return made;
 }
 
@@ -195,12 +211,11 @@ ValuePointer SceneComputation::inside(const Node& node) {
   return insides_[node.id] = made;
 }
 
-void SceneComputation::fill(const Node& node, const Transform& world, bool is_shown,
-                            Evaluation::Entry& entry) {
+void SceneComputation::fill(const Node& node, bool is_shown, Evaluation::Entry& entry) {
   const ValuePointer value = inside(node);
-  const ValuePointer in_world = placed(value, world);
-  entry.error = in_world->error;
-  entry.solid = in_world->solid;
+  const ValuePointer moved = in_world(node);
+  entry.error = moved->error;
+  entry.solid = moved->solid;
   if (entry.error.empty()) entry.inside = value->solid;
   const bool is_group = std::holds_alternative<Group>(node.what);
   if (is_shown && !is_group && entry.error.empty() && !value->solid.is_empty())
@@ -218,7 +233,7 @@ void SceneComputation::enter(NodeId id, const Transform& parent_world, bool is_n
   entry.model = matrix_of(world);
   is_shown = is_shown && node.visible;
   entry.is_computed = !is_group || is_needed;
-  if (entry.is_computed) fill(node, world, is_shown, entry);
+  if (entry.is_computed) fill(node, is_shown, entry);
   for (const NodeId child : node.children)
     enter(child, world, is_needed || !is_group, is_shown, made);
 }

@@ -28,6 +28,8 @@ class SceneComputation {
   ValuePointer united(std::span<const ValuePointer> parts);
   ValuePointer cut(const Node& node, const SplitNode& split);
   ValuePointer placed(const ValuePointer& value, const Transform& by);
+  ValuePointer placed(const ValuePointer& value, const Placement& by);
+  ValuePointer in_world(const Node& node);
   std::vector<ValuePointer> placed_children(const Node& node);
   ValuePointer failed(const ValueKey& key, std::string error);
   template <class Make>
@@ -37,7 +39,7 @@ class SceneComputation {
 
   void enter(NodeId id, const Transform& parent_world, bool is_needed, bool is_shown,
              Evaluation& made);
-  void fill(const Node& node, const Transform& world, bool is_shown, Evaluation::Entry& entry);
+  void fill(const Node& node, bool is_shown, Evaluation::Entry& entry);
   void make_surfaces();
 
   ValueTable values_;

@@ -1,11 +1,7 @@
-// Placements that bring a point exactly where it is wanted.
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <glm/glm.hpp>
-#include <limits>
+#include "scene/exact_moves.h"
 
-#include "scene/snapping.h"
+#include <glm/glm.hpp>
+
 #include "scene/transforms.h"
 
 namespace sectile::viewer {
@@ -15,161 +11,106 @@ namespace {
 double& coordinate(Vec3& v, int i) {
   return i == 0 ? v.x : i == 1 ? v.y : v.z;
 }
-double coordinate(const Vec3& v, int i) {
-  return i == 0 ? v.x : i == 1 ? v.y : v.z;
-}
 
-// Doubles in their order, so that neighbours differ by one.
-std::int64_t place_of(double value) {
-  const auto bits = std::bit_cast<std::int64_t>(value);
-  return bits >= 0 ? bits : std::numeric_limits<std::int64_t>::min() - bits;
-}
-double double_at(std::int64_t place) {
-  return std::bit_cast<double>(place >= 0 ? place
-                                          : std::numeric_limits<std::int64_t>::min() - place);
-}
-
-/// A solid inside a node, seen from the world.
-struct Chain {
-  const Transform& parent;
-  const Transform& below;
-  const Vec3& local;
-
-  // Composed as Scene::world and the evaluator do it, with the same roundings.
-  Vec3 image(const Placement& placement) const {
-    Transform own = placement.transform();
-    if (!is_identity(parent)) own = parent * own;
-    if (!is_identity(below)) own = own * below;
-    return own(local);
-  }
-  double slope(int axis, int i) const { return parent.m[static_cast<std::size_t>(4 * axis + i)]; }
-};
-
-/// For each coordinate of the world one of the position, so that those that are wanted have one
-/// each that moves them much.
-std::array<int, 3> movers(const Chain& chain, const std::array<bool, 3>& fixed) {
-  std::array<int, 3> order{0, 1, 2}, best = order;
-  double strength = -1;
-  do {
-    double product = 1;
-    for (int axis = 0; axis < 3; ++axis)
-      if (fixed[static_cast<std::size_t>(axis)])
-        product *= std::abs(chain.slope(axis, order[static_cast<std::size_t>(axis)]));
-    if (product > strength) strength = product, best = order;
-  } while (std::next_permutation(order.begin(), order.end()));
-  return best;
-}
-
-/// Coordinates of the world grow with those of the position, if not always at each step: halving
-/// finds the position that gives what is wanted, or two neighbours between whose images it lies.
-class Refinement {
- public:
-  Refinement(Placement& placement, const Chain& chain, int axis, int i, double wanted)
-      : placement_(placement),
-        chain_(chain),
-        axis_(axis),
-        i_(i),
-        is_rising_(chain.slope(axis, i) > 0),
-        wanted_(wanted) {}
-
-  void run() {
-    const double start = coordinate(placement_.position, i_), error = error_at(start);
-    if (error == 0 || chain_.slope(axis_, i_) == 0) return;
-    const double way = (error < 0) == is_rising_ ? 1 : -1;
-    const double largest = std::max({std::abs(start), std::abs(wanted_), std::abs(error)});
-    double near = start, far = start, step = std::nextafter(largest, infinite) - largest;
-    for (double there = error; is_like(there, error); step *= 2) {
-      if (!std::isfinite(there)) return give_back(start);
-      near = far;
-      far = start + way * step;
-      there = error_at(far);
-    }
-    halve(place_of(near), place_of(far), error);
-  }
-
- private:
-  static constexpr double infinite = std::numeric_limits<double>::infinity();
-
-  static bool is_like(double a, double b) { return a != 0 && (a < 0) == (b < 0); }
-
-  void halve(std::int64_t near, std::int64_t far, double error) {
-    while (std::abs(far - near) > 1) {
-      const std::int64_t middle = near + (far - near) / 2;
-      (is_like(error_at(double_at(middle)), error) ? near : far) = middle;
-    }
-    const double a = double_at(near), b = double_at(far);
-    give_back(std::abs(error_at(a)) < std::abs(error_at(b)) ? a : b);
-  }
-
-  void give_back(double value) { coordinate(placement_.position, i_) = value; }
-
-  double error_at(double value) {
-    give_back(value);
-    return coordinate(chain_.image(placement_), axis_) - wanted_;
-  }
-
-  Placement& placement_;
-  const Chain& chain_;
-  int axis_, i_;
-  bool is_rising_;
-  double wanted_;
-};
-
-bool reaches(const Chain& chain, const Placement& placement, const Vec3& target,
-             const std::array<bool, 3>& fixed) {
-  const Vec3 reached = chain.image(placement);
-  for (int axis = 0; axis < 3; ++axis)
-    if (fixed[static_cast<std::size_t>(axis)] &&
-        coordinate(reached, axis) != coordinate(target, axis))
-      return false;
-  return true;
-}
-
-glm::dvec3 in_parent(const Transform& parent, const glm::dvec3& step) {
-  return glm::dmat3(matrix_of(inverse(parent))) * step;
+Vec3 in_parent(const Transform& parent, const Vec3& step) {
+  return from_glm(glm::dmat3(matrix_of(inverse(parent))) * to_glm(step));
 }
 
 }  // namespace
 
-Landing moved_onto(const Placement& start, const Transform& parent, const Vec3& local,
-                   const Vec3& target, const std::array<bool, 3>& fixed, const Transform& below) {
-  const Chain chain{parent, below, local};
-  Placement made = start;
-  const Vec3 now = chain.image(start);
-  glm::dvec3 step(0);
-  for (int i = 0; i < 3; ++i)
-    if (fixed[static_cast<std::size_t>(i)]) step[i] = coordinate(target, i) - coordinate(now, i);
-  const glm::dvec3 own = in_parent(parent, step);
-  for (int i = 0; i < 3; ++i) coordinate(made.position, i) += own[i];
-  // In a parent that is turned, one coordinate of the position moves several of the world: then
-  // later ones disturb those before, less each time.
-  const std::array<int, 3> by = movers(chain, fixed);
-  for (int sweep = 0; sweep < 4 && !reaches(chain, made, target, fixed); ++sweep)
-    for (int axis = 0; axis < 3; ++axis)
-      if (fixed[static_cast<std::size_t>(axis)])
-        Refinement(made, chain, axis, by[static_cast<std::size_t>(axis)], coordinate(target, axis))
-            .run();
-  return {made, reaches(chain, made, target, fixed)};
+ExactSum& ExactSum::add(const ExactTransform& place, const ExactCorner& corner, double factor) {
+  terms_.push_back({place, corner, factor});
+  return *this;
 }
 
-Landing placed_by(const Placement& start, const Transform& parent, const Vec3& offset,
-                  const std::vector<Snap>& contacts,
-                  const std::vector<std::optional<Transform>>& below) {
-  const glm::dvec3 own =
-      in_parent(parent, to_glm(contacts.empty() ? offset : contacts.back().offset));
-  Landing made{start, true};
-  Vec3& position = made.placement.position;
-  position = {position.x + own.x, position.y + own.y, position.z + own.z};
-  for (const Snap& contact : contacts) {
-    const std::optional<Transform>& inner = below.at(contact.part);
-    if (!inner) continue;
-    const Transform before = parent * start.transform() * *inner;
-    const Vec3 local = contact.local ? *contact.local : inverse(before)(contact.from);
-    const Landing next =
-        moved_onto(made.placement, parent, local, contact.to, contact.fixed, *inner);
-    made = {next.placement, made.is_exact && next.is_exact && contact.is_expressible};
+ExactSum& ExactSum::add(const ExactSum& more, double factor) {
+  for (const Term& term : more.terms_)
+    terms_.push_back({term.place, term.corner, term.factor * factor});
+  return *this;
+}
+
+ExactSum ExactSum::mapped(const ExactTransform& by) const {
+  ExactSum made = *this;
+  for (Term& term : made.terms_) term.place = by * term.place;
+  return made;
+}
+
+// M·(near + rest) + t is the image of near and that of rest less that of the origin.
+Vec3 ExactSum::value() const {
+  std::vector<WeightedImage> images;
+  for (const Term& term : terms_) {
+    images.push_back({term.place, term.corner.near, term.factor});
+    if (term.corner.rest == Vec3{0, 0, 0}) continue;
+    images.push_back({term.place, term.corner.rest, term.factor});
+    images.push_back({term.place, {0, 0, 0}, -term.factor});
+  }
+  return sum_of_images(images);
+}
+
+bool ExactSum::is_known(int axis) const {
+  for (const Term& term : terms_) {
+    if (term.corner.is_exact == Coordinates{true, true, true}) continue;
+    const Transform place = term.place.nearest();
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!term.corner.is_exact[k] && place.m[static_cast<std::size_t>(4 * axis) + k] != 0)
+        return false;
+  }
+  return true;
+}
+
+bool are_equal(const ExactSum& a, const ExactSum& b, const Coordinates& axes) {
+  Vec3 difference = ExactSum(a).add(b, -1).value();
+  for (int i = 0; i < 3; ++i)
+    if (axes[static_cast<std::size_t>(i)] &&
+        (coordinate(difference, i) != 0 || !a.is_known(i) || !b.is_known(i)))
+      return false;
+  return true;
+}
+
+// What is missing is known exactly but for one rounding: each step leaves 2^-50 of it, until it is
+// nothing or less than the placement can hold.
+Landing moved_onto(const Placement& start, const ExactTransform& parent, const ExactSum& own,
+                   const ExactSum& target, const Coordinates& axes) {
+  Landing made{start, false};
+  const Transform rounded_parent = parent.nearest();
+  for (int step = 0; step < 8; ++step) {
+    const ExactSum reached = own.mapped(parent * made.placement.exact());
+    Vec3 missing = ExactSum(target).add(reached, -1).value();
+    for (int i = 0; i < 3; ++i)
+      if (!axes[static_cast<std::size_t>(i)]) coordinate(missing, i) = 0;
+    if (missing == Vec3{0, 0, 0}) {
+      made.is_exact = are_equal(reached, target, axes);
+      break;
+    }
+    const Placement before = made.placement;
+    made.placement.move(in_parent(rounded_parent, missing));
+    if (made.placement == before) break;
   }
   return made;
+}
+
+Shift shift_between(const Placement& from, const Placement& to) {
+  Placement difference;
+  difference.move(to.position);
+  for (const Vec3& less : {from.position, from.remainder})
+    difference.move({-less.x, -less.y, -less.z});
+  difference.move(to.remainder);
+  return {difference.position, difference.remainder};
+}
+
+Placement shifted(const Placement& start, const Shift& shift) {
+  Placement made = start;
+  made.move(shift.by);
+  made.move(shift.rest);
+  return made;
+}
+
+Placement carried_over(const Placement& placement, const ExactTransform& from,
+                       const ExactTransform& to) {
+  const Transform map = inverse(to.nearest()) * from.nearest() * placement.transform();
+  const ExactSum origin = ExactSum::of({0, 0, 0});
+  return moved_onto(Placement::of(map), to, origin, origin.mapped(from * placement.exact()))
+      .placement;
 }
 
 }  // namespace sectile::viewer

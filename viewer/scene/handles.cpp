@@ -263,8 +263,7 @@ Placement changed(const Placement& start, const Transform& parent, const Handles
   const glm::dvec3 origin(world.m[3], world.m[7], world.m[11]);
   const glm::dvec3 move = change.move + carried(origin, handles, change) - origin;
   if (move != glm::dvec3(0)) {
-    const glm::dvec3 by = to_parent * move;
-    made.position = {start.position.x + by.x, start.position.y + by.y, start.position.z + by.z};
+    made.move(from_glm(to_parent * move));
   }
   if (change.scale != glm::dvec3(1)) {
     const glm::dmat3 own(matrix_of(parent * start.transform()));

@@ -1,6 +1,7 @@
 // Placements as maps, and the placement that a map stands for.
 #include <cmath>
 #include <glm/glm.hpp>
+#include <utility>
 
 #include "scene/scene.h"
 
@@ -36,16 +37,55 @@ Vec3 angles(const glm::dmat3& r) {
   return {0, cleaned_degrees(y), cleaned_degrees(std::atan2(-r[1][0], r[1][1]))};
 }
 
+/// a + b as the nearest double, and what that lacks.
+std::pair<double, double> exact_sum(double a, double b) {
+  const double sum = a + b, part = sum - a;
+  return {sum, (a - (sum - part)) + (b - part)};
+}
+
+/// high + low + by, as two doubles that do not overlap.
+void add(double& high, double& low, double by) {
+  const auto [first, lost] = exact_sum(high, by);
+  const auto [middle, least] = exact_sum(lost, low);
+  const auto [sum, rest] = exact_sum(first, middle);
+  const auto [made, left] = exact_sum(sum, rest + least);
+  high = made;
+  low = std::isfinite(made) ? left : 0;
+}
+
 }  // namespace
+
+void Placement::move(const Vec3& by) {
+  if (by.x != 0) add(position.x, remainder.x, by.x);
+  if (by.y != 0) add(position.y, remainder.y, by.y);
+  if (by.z != 0) add(position.z, remainder.z, by.z);
+}
+
+ExactTransform Placement::exact() const {
+  Transform made = transform();
+  made.m[3] = position.x;
+  made.m[7] = position.y;
+  made.m[11] = position.z;
+  if (remainder == Vec3{0, 0, 0}) return made;
+  return ExactTransform(Transform::translation(remainder)) * made;
+}
 
 Transform Placement::transform() const {
   Transform made = Transform::scaling(scale);
   if (rotation.x != 0) made = Transform::rotation_degrees({1, 0, 0}, rotation.x) * made;
   if (rotation.y != 0) made = Transform::rotation_degrees({0, 1, 0}, rotation.y) * made;
   if (rotation.z != 0) made = Transform::rotation_degrees({0, 0, 1}, rotation.z) * made;
-  made.m[3] = position.x;
-  made.m[7] = position.y;
-  made.m[11] = position.z;
+  made.m[3] = position.x + remainder.x;
+  made.m[7] = position.y + remainder.y;
+  made.m[11] = position.z + remainder.z;
+  return made;
+}
+
+Placement Placement::of(const ExactTransform& transform) {
+  Placement made = of(transform.nearest());
+  const ExactTransform none;
+  const WeightedImage lacking[] = {{transform, {0, 0, 0}, 1}, {none, made.position, -1}};
+  made.remainder = sum_of_images(lacking);
   return made;
 }
 

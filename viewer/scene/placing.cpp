@@ -9,9 +9,6 @@
 namespace sectile::viewer {
 namespace {
 
-double& coordinate(Vec3& v, int i) {
-  return i == 0 ? v.x : i == 1 ? v.y : v.z;
-}
 double coordinate(const Vec3& v, int i) {
   return i == 0 ? v.x : i == 1 ? v.y : v.z;
 }
@@ -48,16 +45,14 @@ Standing turned(const Standing& start, const glm::dvec3& from, const glm::dvec3&
   if (change.degrees == 0) return start;
   change.axis = sine > 1e-9 ? normal / sine : across(from);
   Handles handles;
-  const Transform world = start.parent * start.placement.transform();
+  const Transform world = start.parent.nearest() * start.placement.transform();
   handles.origin = {world.m[3], world.m[7], world.m[11]};
-  return start.with(changed(start.placement, start.parent, handles, change));
+  return start.with(changed(start.placement, start.parent.nearest(), handles, change));
 }
 
 Landing moved_by(const Standing& standing, const glm::dvec3& by) {
   Landing made{standing.placement, false};
-  const glm::dvec3 own = glm::dmat3(matrix_of(inverse(standing.parent))) * by;
-  Vec3& p = made.placement.position;
-  p = {p.x + own.x, p.y + own.y, p.z + own.z};
+  made.placement.move(from_glm(glm::dmat3(matrix_of(inverse(standing.parent.nearest()))) * by));
   return made;
 }
 
@@ -67,77 +62,68 @@ struct Range {
   double middle() const { return 0.5 * low + 0.5 * high; }
 };
 
-/// a + b with what the sum loses; the same sums have the same pairs.
-std::pair<double, double> exact_sum(double a, double b) {
-  const double sum = a + b, part = sum - a;
-  return {sum, (a - (sum - part)) + (b - part)};
-}
-
 Range range_along(const std::vector<Vec3>& points, const glm::dvec3& d) {
   Range range;
   for (const Vec3& p : points) range.add(glm::dot(to_glm(p), d));
   return range;
 }
 
-std::vector<Vec3> images(const Standing& standing, const std::vector<Vec3>& local) {
-  const Transform map = standing.map();
+std::vector<Vec3> images(const Transform& map, const std::vector<ExactCorner>& corners) {
   std::vector<Vec3> made;
-  for (const Vec3& p : local) made.push_back(map(p));
+  for (const ExactCorner& p : corners) made.push_back(map(p.near));
   return made;
 }
 
-/// Along one axis: a point of a solid onto a value.
-Landing onto(const Standing& standing, const Vec3& local, int axis, double value) {
-  Vec3 target = standing.image(local);
-  coordinate(target, axis) = value;
-  std::array<bool, 3> fixed{false, false, false};
-  fixed[static_cast<std::size_t>(axis)] = true;
-  return moved_onto(standing.placement, standing.parent, local, target, fixed, standing.below);
+Coordinates only(int axis) {
+  return {axis == 0, axis == 1, axis == 2};
 }
 
-/// Along one axis: the middle of some points of a solid into the middle of a range.
-Landing middle_onto(const Standing& standing, const std::vector<Vec3>& local, int axis,
-                    const Range& wanted) {
-  const Transform map = standing.map();
-  const auto low = std::min_element(local.begin(), local.end(), [&](const Vec3& a, const Vec3& b) {
-    return coordinate(map(a), axis) < coordinate(map(b), axis);
+/// A corner of a solid onto a point.
+Landing onto(const Standing& standing, const ExactCorner& corner, const ExactSum& target,
+             const Coordinates& axes) {
+  return moved_onto(standing.placement, standing.parent, {standing.below, corner}, target, axes);
+}
+
+/// Do these corners of a solid lie at a point, as far as these coordinates go?
+bool are_at(const ExactTransform& place, std::span<const ExactCorner> corners,
+            const ExactSum& point, const Coordinates& axes) {
+  return std::all_of(corners.begin(), corners.end(), [&](const ExactCorner& corner) {
+    return are_equal({place, corner}, point, axes);
   });
-  glm::dvec3 d(0);
-  d[axis] = 1;
-  const Range now = range_along(images(standing, local), d);
-  Landing made = onto(standing, *low, axis, now.low + (wanted.middle() - now.middle()));
-  const Range then = range_along(images(standing.with(made.placement), local), d);
-  made.is_exact = exact_sum(then.low, then.high) == exact_sum(wanted.low, wanted.high);
-  return made;
+}
+
+ExactBox box_of(const Standing& standing, const std::vector<ExactCorner>& corners) {
+  ExactBox box;
+  box.add(standing, corners);
+  return box;
 }
 
 /// Faces across an axis of the world: each coordinate by itself.
 Landing flush_along(const Standing& turned, const FlatFace& moved, const FlatFace& fixed, int axis,
-                    bool centred) {
-  Landing made = onto(turned, moved.corners.front(), axis, coordinate(fixed.corners.front(), axis));
-  for (int i = 0; centred && i < 3; ++i) {
+                    bool centre) {
+  const ExactSum plane(fixed.place, fixed.corners.front());
+  Landing made = onto(turned, moved.corners.front(), plane, only(axis));
+  const ExactBox around = box_of({{}, fixed.place, {}}, fixed.corners);
+  for (int i = 0; centre && i < 3; ++i) {
     if (i == axis) continue;
-    glm::dvec3 d(0);
-    d[i] = 1;
-    const Landing next =
-        middle_onto(turned.with(made.placement), moved.corners, i, range_along(fixed.corners, d));
+    const Landing next = centred(box_of(turned.with(made.placement), moved.corners), i,
+                                 around.low(i).exact(), around.high(i).exact());
     made = {next.placement, made.is_exact && next.is_exact};
   }
   // Turns by other than right angles leave the corners in a plane only nearly.
-  const Transform landed = turned.with(made.placement).map();
-  for (const Vec3& corner : moved.corners)
-    if (coordinate(landed(corner), axis) != coordinate(fixed.corners.front(), axis))
-      made.is_exact = false;
+  made.is_exact = made.is_exact && are_at(fixed.place, fixed.corners, plane, only(axis)) &&
+                  are_at(turned.with(made.placement).exact_map(), moved.corners, plane, only(axis));
   return made;
 }
 
 }  // namespace
 
 Transform Standing::map() const {
-  Transform own = placement.transform();
-  if (!is_identity(parent)) own = parent * own;
-  if (!is_identity(below)) own = own * below;
-  return own;
+  return exact_map().nearest();
+}
+
+ExactTransform Standing::exact_map() const {
+  return parent * placement.exact() * below;
 }
 
 Landing flush(const Standing& start, const FlatFace& moved, const FlatFace& fixed,
@@ -147,60 +133,89 @@ Landing flush(const Standing& start, const FlatFace& moved, const FlatFace& fixe
   const Standing standing = turned(start, to_glm(moved.normal), wanted);
   if (const std::optional<int> axis = axis_along(n))
     return flush_along(standing, moved, fixed, *axis, options.centred);
-  const std::vector<Vec3> corners = images(standing, moved.corners);
-  glm::dvec3 by = n * (range_along(fixed.corners, n).middle() - range_along(corners, n).middle());
+  const std::vector<Vec3> corners = images(standing.map(), moved.corners);
+  const std::vector<Vec3> there = images(fixed.place.nearest(), fixed.corners);
+  glm::dvec3 by = n * (range_along(there, n).middle() - range_along(corners, n).middle());
   if (options.centred) {
     const glm::dvec3 u = across(n), v = glm::cross(n, u);
     for (const glm::dvec3& d : {u, v})
-      by += d * (range_along(fixed.corners, d).middle() - range_along(corners, d).middle());
+      by += d * (range_along(there, d).middle() - range_along(corners, d).middle());
   }
   return moved_by(standing, by);
 }
 
 Landing edge_on_edge(const Standing& start, const PlacedEdge& moved, const PlacedEdge& fixed) {
-  const glm::dvec3 from = to_glm(start.image(moved.to)) - to_glm(start.image(moved.from));
-  const glm::dvec3 to = to_glm(fixed.to) - to_glm(fixed.from);
+  const Transform there = fixed.place.nearest();
+  const glm::dvec3 from = to_glm(start.image(moved.to.near)) - to_glm(start.image(moved.from.near));
+  const glm::dvec3 to = to_glm(there(fixed.to.near)) - to_glm(there(fixed.from.near));
   const Standing standing = turned(start, glm::normalize(from), glm::normalize(to));
-  Landing made = moved_onto(standing.placement, standing.parent, moved.from, fixed.from,
-                            {true, true, true}, standing.below);
-  const Vec3 end = standing.with(made.placement).image(moved.to);
+  const ExactSum begin(fixed.place, fixed.from), end(fixed.place, fixed.to);
+  Landing made = onto(standing, moved.from, begin, {true, true, true});
+  const ExactSum reached(standing.with(made.placement).exact_map(), moved.to);
+  // On a line along an axis any point will do, on others the end.
   const std::optional<int> axis = axis_along(glm::normalize(to));
-  bool on_line = axis.has_value();
-  for (int i = 0; i < 3; ++i)
-    if (axis != i) on_line = on_line && coordinate(end, i) == coordinate(fixed.to, i);
-  made.is_exact = made.is_exact && (on_line || end == fixed.to);
+  Coordinates across{true, true, true};
+  if (axis) across[static_cast<std::size_t>(*axis)] = false;
+  const bool on_line = axis && are_equal(begin, end, across) && are_equal(reached, end, across);
+  made.is_exact = made.is_exact && (on_line || are_equal(reached, end, {true, true, true}));
   return made;
 }
 
-void ExactBox::add(const Standing& standing, std::span<const Vec3> points) {
+ExactSum ExactBox::Side::exact() const {
+  return {standing.exact_map(), corner};
+}
+
+namespace {
+
+double sum_of_sizes(const Vec3& p) {
+  return std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+}
+
+/// An upper bound for what the images of a corner of this size lose by rounding.
+double doubt_of(const Transform& map, const Vec3& corner) {
+  double largest = 0, move = 0;
+  for (std::size_t i = 0; i < 12; ++i)
+    (i % 4 == 3 ? move : largest) = std::max(i % 4 == 3 ? move : largest, std::abs(map.m[i]));
+  return 0x1p-50 * (largest * sum_of_sizes(corner) + move);
+}
+
+bool is_farther(const ExactBox::Side& side, const std::optional<ExactBox::Side>& than, int axis,
+                double sign) {
+  if (!than) return true;
+  const double by = sign * (side.value - than->value);
+  if (std::abs(by) > side.doubt + than->doubt) return by > 0;
+  return sign * coordinate(side.exact().add(than->exact(), -1).value(), axis) > 0;
+}
+
+}  // namespace
+
+void ExactBox::add(const Standing& standing, std::span<const ExactCorner> corners) {
   const Transform map = standing.map();
-  for (const Vec3& local : points) {
-    const Vec3 p = map(local);
+  for (const ExactCorner& corner : corners) {
+    const Vec3 p = map(corner.near);
+    Side side{standing, corner, 0, doubt_of(map, corner.near)};
     for (int i = 0; i < 3; ++i) {
-      const double value = coordinate(p, i);
-      auto& lowest = low[static_cast<std::size_t>(i)];
-      auto& highest = high[static_cast<std::size_t>(i)];
-      if (!lowest || value < lowest->value) lowest = {standing, local, value};
-      if (!highest || value > highest->value) highest = {standing, local, value};
+      side.value = coordinate(p, i);
+      auto& lowest = low_[static_cast<std::size_t>(i)];
+      auto& highest = high_[static_cast<std::size_t>(i)];
+      if (is_farther(side, lowest, i, -1)) lowest = side;
+      if (is_farther(side, highest, i, 1)) highest = side;
     }
   }
 }
 
-Landing aligned(const ExactBox& box, int axis, BoxPlace place, double value) {
+Landing aligned(const ExactBox& box, int axis, BoxPlace place, const ExactSum& value) {
   if (place == BoxPlace::centre) return centred(box, axis, value, value);
-  const auto& side = (place == BoxPlace::low ? box.low : box.high)[static_cast<std::size_t>(axis)];
-  return onto(side->standing, side->local, axis, value);
+  const ExactBox::Side& side = place == BoxPlace::low ? box.low(axis) : box.high(axis);
+  return onto(side.standing, side.corner, value, only(axis));
 }
 
-Landing centred(const ExactBox& box, int axis, double low, double high) {
-  const auto& a = *box.low[static_cast<std::size_t>(axis)];
-  const auto& b = *box.high[static_cast<std::size_t>(axis)];
-  const double by = (0.5 * low + 0.5 * high) - (0.5 * a.value + 0.5 * b.value);
-  Landing made = onto(a.standing, a.local, axis, a.value + by);
-  const double new_low = coordinate(a.standing.with(made.placement).image(a.local), axis);
-  const double new_high = coordinate(b.standing.with(made.placement).image(b.local), axis);
-  made.is_exact = exact_sum(new_low, new_high) == exact_sum(low, high);
-  return made;
+Landing centred(const ExactBox& box, int axis, const ExactSum& low, const ExactSum& high) {
+  const ExactBox::Side &a = box.low(axis), &b = box.high(axis);
+  ExactSum middle, wanted;
+  middle.add(a.standing.below, a.corner, 0.5).add(b.standing.below, b.corner, 0.5);
+  wanted.add(low, 0.5).add(high, 0.5);
+  return moved_onto(a.standing.placement, a.standing.parent, middle, wanted, only(axis));
 }
 
 }  // namespace sectile::viewer

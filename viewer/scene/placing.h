@@ -1,5 +1,5 @@
 // Placements that make solids touch or line up: face on face, edge on edge, boxes aligned. Pure
-// functions; exact where doubles can say it, and they tell whether it is.
+// functions; exact where sums of two doubles can say it, and they tell whether it is.
 #pragma once
 
 #include <array>
@@ -13,20 +13,22 @@ namespace sectile::viewer {
 
 /// How a solid stands that is to be placed by its node.
 struct Standing {
-  Placement placement;  ///< of the node
-  Transform parent;     ///< Scene::world_of_parent of the node
-  Transform below;      ///< from the solid's coordinates to the node's
-  /// Where a point of the solid is in the world, rounded as the evaluator does it.
+  Placement placement;    ///< of the node
+  ExactTransform parent;  ///< Scene::exact_world_of_parent of the node
+  ExactTransform below;   ///< from the solid's coordinates to the node's
+  /// Where a point of the solid is in the world, rounded.
   Vec3 image(const Vec3& local) const { return map()(local); }
   Transform map() const;
+  ExactTransform exact_map() const;
   Standing with(const Placement& other) const { return {other, parent, below}; }
 };
 
-/// A plane face: its normal in the world (of length one, outwards) and its corners, which are the
-/// solid's own for what is to be moved and the world's for what stands still.
+/// A plane face: its normal in the world (of length one, outwards) and its corners in its solid's
+/// own coordinates. `place` is for what stands still: where it does.
 struct FlatFace {
   Vec3 normal;
-  std::vector<Vec3> corners;
+  std::vector<ExactCorner> corners;
+  ExactTransform place{};
 };
 
 struct FlushOptions {
@@ -41,27 +43,36 @@ Landing flush(const Standing& start, const FlatFace& moved, const FlatFace& fixe
 
 /// The solid turned and moved so that its edge lies on another one, `from` on `from`.
 struct PlacedEdge {
-  Vec3 from, to;  ///< as the corners of a FlatFace
+  ExactCorner from, to;
+  ExactTransform place{};  ///< as of a FlatFace
 };
 Landing edge_on_edge(const Standing& start, const PlacedEdge& moved, const PlacedEdge& fixed);
 
-/// The box around some solids in the world, with the points that reach farthest.
-struct ExactBox {
+/// The box around some solids in the world, with the corners that reach farthest; which do is
+/// decided exactly.
+class ExactBox {
+ public:
   struct Side {
     Standing standing;
-    Vec3 local;
-    double value = 0;
+    ExactCorner corner;
+    double value = 0;        ///< rounded
+    double doubt = 0;        ///< how far it may be wrong
+    ExactSum exact() const;  ///< the corner in the world
   };
-  std::array<std::optional<Side>, 3> low, high;
-  bool is_empty() const { return !low[0]; }
-  void add(const Standing& standing, std::span<const Vec3> points);
+  bool is_empty() const { return !low_[0]; }
+  const Side& low(int axis) const { return *low_[static_cast<std::size_t>(axis)]; }
+  const Side& high(int axis) const { return *high_[static_cast<std::size_t>(axis)]; }
+  void add(const Standing& standing, std::span<const ExactCorner> corners);
+
+ private:
+  std::array<std::optional<Side>, 3> low_, high_;
 };
 
 enum class BoxPlace : std::uint8_t { low, centre, high };
 
 /// The node moved along one axis so that a place of its box comes to `value`, or to the middle
 /// between two values.
-Landing aligned(const ExactBox& box, int axis, BoxPlace place, double value);
-Landing centred(const ExactBox& box, int axis, double low, double high);
+Landing aligned(const ExactBox& box, int axis, BoxPlace place, const ExactSum& value);
+Landing centred(const ExactBox& box, int axis, const ExactSum& low, const ExactSum& high);
 
 }  // namespace sectile::viewer

@@ -4,6 +4,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "scene/exact_moves.h"
 #include "scene/transforms.h"
 
 namespace sectile::viewer {
@@ -94,6 +95,15 @@ Transform Scene::world_of_parent(NodeId id) const {
   return parent == 0 ? Transform() : world(parent);
 }
 
+ExactTransform Scene::exact_world(NodeId id) const {
+  return exact_world_of_parent(id) * at(id).placement.exact();
+}
+
+ExactTransform Scene::exact_world_of_parent(NodeId id) const {
+  const NodeId parent = at(id).parent;
+  return parent == 0 ? ExactTransform() : exact_world(parent);
+}
+
 bool Scene::is_shown(NodeId id) const {
   for (const Node* node = &at(id); node; node = find(node->parent))
     if (!node->visible) return false;
@@ -181,9 +191,10 @@ void Scene::move(NodeId id, NodeId parent, std::size_t at_place) {
   const NodeId old_parent = node.parent;
   if (parent != old_parent) {
     if (parent != 0) require_room(at(parent));
-    const Transform from = world_of_parent(id), to = parent == 0 ? Transform() : world(parent);
-    if (from.m != to.m) {
-      const Placement placed = Placement::of(inverse(to) * from * node.placement.transform());
+    const ExactTransform from = exact_world_of_parent(id);
+    const ExactTransform to = parent == 0 ? ExactTransform() : exact_world(parent);
+    if (!(from == to)) {
+      const Placement placed = carried_over(node.placement, from, to);
       writable(id).placement = placed;
     }
   } else if (place_of(node) < at_place && at_place != SIZE_MAX) {
@@ -205,7 +216,7 @@ NodeId Scene::gather(Node node, const std::vector<NodeId>& members) {
   const NodeId parent = first.parent;
   const std::size_t place = place_of(first);
   const NodeId made = add(std::move(node), replaces ? 0 : parent, replaces ? SIZE_MAX : place);
-  if (replaces) writable(made).placement = Placement::of(world(parent));
+  if (replaces) writable(made).placement = Placement::of(exact_world(parent));
   for (const NodeId id : chosen) move(id, made);
   if (replaces) move(made, parent);
   return made;

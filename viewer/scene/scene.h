@@ -71,9 +71,16 @@ struct Group {
 /// what doubles hold exactly stay exact.
 struct Placement {
   Vec3 position{0, 0, 0}, rotation{0, 0, 0}, scale{1, 1, 1};
-  Transform transform() const;
+  /// The solid stands at position + remainder. What is typed has none; moves and contacts whose
+  /// place no double can say leave what is missing here.
+  Vec3 remainder{0, 0, 0};
+  ExactTransform exact() const;  ///< where the solid really stands
+  Transform transform() const;   ///< the same, rounded
+  /// Exact as far as two doubles for each coordinate can hold it.
+  void move(const Vec3& by);
   /// The placement that comes nearest to a map: exact if there is one without shear.
   static Placement of(const Transform& transform);
+  static Placement of(const ExactTransform& transform);
   friend bool operator==(const Placement&, const Placement&) = default;
 };
 
@@ -114,6 +121,8 @@ class Scene {
   /// From the coordinates of a node to the world's, and from those that its placement stands in.
   Transform world(NodeId id) const;
   Transform world_of_parent(NodeId id) const;
+  ExactTransform exact_world(NodeId id) const;  ///< the same without rounding
+  ExactTransform exact_world_of_parent(NodeId id) const;
   bool is_shown(NodeId id) const;  ///< it and all above it are visible
 
   NodeId add(Node node, NodeId parent = 0, std::size_t at = SIZE_MAX);  ///< gives id and free name

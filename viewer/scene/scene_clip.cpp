@@ -1,7 +1,6 @@
 #include "scene/scene_clip.h"
 
 #include "scene/scene_file.h"
-#include "scene/transforms.h"
 
 namespace sectile::viewer {
 namespace {
@@ -19,8 +18,8 @@ std::string copied_text(const Scene& scene, const std::vector<NodeId>& nodes) {
   Scene clip;
   for (const NodeId id : scene.topmost(nodes)) {
     const NodeId made = copy_below(scene, id, clip, 0);
-    if (!is_identity(scene.world_of_parent(id)))
-      clip.edit(made).placement = Placement::of(scene.world(id));
+    if (!scene.exact_world_of_parent(id).is_identity())
+      clip.edit(made).placement = Placement::of(scene.exact_world(id));
   }
   return scene_text({clip, {}});
 }

@@ -176,6 +176,7 @@ Node node_at(const Place& place, const std::vector<MeshPointer>& meshes) {
     node.colour = colour;
   }
   node.placement.position = place["position"].vector();
+  if (place.has("remainder")) node.placement.remainder = place["remainder"].vector();
   node.placement.rotation = place["rotation"].vector();
   node.placement.scale = place["scale"].vector();
   read_what(place, meshes, node);

@@ -71,6 +71,8 @@ class SceneWriter {
       for (const float part : *node.colour) made["colour"].push_back(finite(double{part}));
     }
     made["position"] = vector(node.placement.position);
+    if (node.placement.remainder != Vec3{0, 0, 0})
+      made["remainder"] = vector(node.placement.remainder);
     made["rotation"] = vector(node.placement.rotation);
     made["scale"] = vector(node.placement.scale);
     std::visit([&](const auto& what) { add(what, made); }, node.what);

@@ -56,33 +56,48 @@ void grow(SnapFeatures::Face& face, const Vec3& p) {
 }
 
 void add_faces(const PolygonMesh& mesh, const std::vector<glm::dvec3>& normals, Regions& regions,
-               const std::vector<Vec3>& local, SnapFeatures& made) {
+               SnapFeatures& made) {
   std::map<std::uint32_t, std::size_t> faces;
   for (std::uint32_t t = 0; t < normals.size(); ++t) {
     const std::uint32_t region = regions.find(t);
     const auto [place, is_new] = faces.try_emplace(region, made.faces.size());
-    const std::uint32_t corner = mesh.indices[3 * t];
-    const Vec3& first = mesh.positions[corner];
+    const std::uint32_t* corner = &mesh.indices[3 * t];
+    const Vec3& first = mesh.positions[corner[0]];
     if (is_new)
-      made.faces.push_back({first, local[corner], from_glm(normals[region]), first, first, 0});
+      made.faces.push_back(
+          {first, from_glm(normals[region]), first, first, {corner[0], corner[1], corner[2]}, 0});
     for (std::uint32_t i = 0; i < 3; ++i)
       grow(made.faces[place->second], mesh.positions[mesh.indices[3 * t + i]]);
   }
 }
 
+void renumber(SnapFeatures::Vertex& vertex, SnapFeatures::CornerIndex first) {
+  vertex.corner += first;
+}
+template <class EdgeOrFace>
+void renumber(EdgeOrFace& feature, SnapFeatures::CornerIndex first) {
+  for (SnapFeatures::CornerIndex& corner : feature.corners) corner += first;
+}
+
 }  // namespace
 
 void SnapFeatures::add(const SnapFeatures& more, std::uint32_t part) {
-  const auto append = [part](auto& all, auto added) {
-    for (auto& feature : added) feature.part = part;
-    all.insert(all.end(), added.begin(), added.end());
+  const auto first = static_cast<CornerIndex>(corners.size());
+  corners.insert(corners.end(), more.corners.begin(), more.corners.end());
+  const auto append = [&](auto& all, const auto& added) {
+    for (auto feature : added) {
+      feature.part = part;
+      renumber(feature, first);
+      all.push_back(feature);
+    }
   };
   append(vertices, more.vertices);
   append(edges, more.edges);
   append(faces, more.faces);
 }
 
-SnapTargets::SnapTargets(SnapFeatures all) : features_(std::move(all)) {
+SnapTargets::SnapTargets(SnapFeatures all, ExactTransform place)
+    : features_(std::move(all)), place_(std::move(place)) {
   std::vector<FloatBox> vertices, edges, faces;
   const auto add = [](std::vector<FloatBox>& boxes, const Vec3& a, const Vec3& b) {
     boxes.emplace_back().add(glm::vec3(to_glm(a)));
@@ -114,13 +129,14 @@ std::vector<Vec3> SnapTargets::outline(const SnapFeatures::Face& face) const {
 }
 
 SnapFeatures snap_features(const Solid& inside, const Transform& world) {
-  PolygonMesh mesh = inside.to_mesh();
-  const std::vector<Vec3> local = mesh.positions;
+  ExactMesh exact = exact_mesh(inside);
+  PolygonMesh& mesh = exact.mesh;
   if (!is_identity(world)) mesh = transformed(mesh, world);
   std::vector<glm::dvec3> normals(mesh.face_sizes.size());
   for (std::size_t t = 0; t < normals.size(); ++t) normals[t] = normal_of(mesh, t);
 
   SnapFeatures made;
+  made.corners = std::move(exact.corners);
   Regions regions(normals.size());
   std::vector<bool> is_end(mesh.positions.size());
   const std::vector<Side> sides = sides_of(mesh);
@@ -134,12 +150,14 @@ SnapFeatures snap_features(const Solid& inside, const Transform& world) {
       continue;
     }
     is_end[sides[i].low] = is_end[sides[i].high] = true;
-    made.edges.push_back(
-        {mesh.positions[sides[i].low], mesh.positions[sides[i].high], local[sides[i].low], 0});
+    made.edges.push_back({mesh.positions[sides[i].low],
+                          mesh.positions[sides[i].high],
+                          {sides[i].low, sides[i].high},
+                          0});
   }
-  for (std::size_t v = 0; v < is_end.size(); ++v)
-    if (is_end[v]) made.vertices.push_back({mesh.positions[v], local[v], 0});
-  add_faces(mesh, normals, regions, local, made);
+  for (SnapFeatures::CornerIndex v = 0; v < is_end.size(); ++v)
+    if (is_end[v]) made.vertices.push_back({mesh.positions[v], v, 0});
+  add_faces(mesh, normals, regions, made);
   return made;
 }
 

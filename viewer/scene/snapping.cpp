@@ -14,14 +14,31 @@ constexpr double parallel = 1 - 1e-9;
 // Comparisons for one search: some milliseconds.
 constexpr int most_comparisons = 200'000;
 
+using CornerIndex = SnapFeatures::CornerIndex;
+
+/// Up to three corners of a solid.
+struct Corners {
+  std::array<CornerIndex, 3> at{};
+  std::size_t count = 0;
+};
+Corners corners_of(const SnapFeatures::Vertex& v) {
+  return {{v.corner}, 1};
+}
+Corners corners_of(const SnapFeatures::Edge& e) {
+  return {{e.corners[0], e.corners[1]}, 2};
+}
+Corners corners_of(const SnapFeatures::Face& f) {
+  return {f.corners, 3};
+}
+
 /// A contact that a further move would make.
 struct Candidate {
   Snap::Kind kind;
   glm::dvec3 step;      // further than `offset`
   glm::dvec3 from, to;  // where the dragged point stands before the drag, and comes to be
-  std::optional<Vec3> local;
   std::uint32_t part = 0;
-  std::array<bool, 3> fixed{true, true, true};
+  Corners moved{}, on{};
+  Coordinates fixed{true, true, true};
   bool is_expressible = true;
   std::size_t target = 0;
   const SnapFeatures::Edge* edge = nullptr;  // of the solid standing still
@@ -120,15 +137,22 @@ class Search {
     if (!best_ || better(candidate, *best_)) best_ = candidate;
   }
 
-  void point(Snap::Kind kind, const glm::dvec3& from, const std::optional<Vec3>& local,
-             std::uint32_t part, const glm::dvec3& to, const SnapFeatures::Edge* on = nullptr) {
-    Candidate made{kind, to - (from + offset_), from, to, local, part};
+  void point(Snap::Kind kind, const glm::dvec3& from, const Corners& moved, std::uint32_t part,
+             const glm::dvec3& to, const SnapFeatures::Vertex& on) {
+    Candidate made{kind, to - (from + offset_), from, to, part, moved, corners_of(on)};
+    if (allowed(made.step)) propose(made);
+  }
+
+  void point_on_edge(Snap::Kind kind, const glm::dvec3& from, const Corners& moved,
+                     std::uint32_t part, const glm::dvec3& to, const SnapFeatures::Edge& on) {
+    Candidate made{kind, to - (from + offset_), from, to, part, moved};
     if (!allowed(made.step)) return;
-    made.edge = on;
-    if (on) {
-      const int along = axis_of(to_glm(on->to) - to_glm(on->from));
-      made.is_expressible = along >= 0;
-      if (along >= 0) made.fixed[static_cast<std::size_t>(along)] = false;
+    made.edge = &on;
+    const int along = axis_of(to_glm(on.to) - to_glm(on.from));
+    made.is_expressible = along >= 0;
+    if (along >= 0) {
+      made.on = corners_of(on);
+      made.fixed[static_cast<std::size_t>(along)] = false;
     }
     propose(made);
   }
@@ -137,16 +161,17 @@ class Search {
     const glm::dvec3 from = to_glm(v.point);
     const SnapFeatures& all = fixed.features();
     near(from, from, fixed.vertices(), [&](std::uint32_t i) {
-      point(Snap::Kind::vertex_vertex, from, v.local, v.part, to_glm(all.vertices[i].point));
+      point(Snap::Kind::vertex_vertex, from, corners_of(v), v.part, to_glm(all.vertices[i].point),
+            all.vertices[i]);
     });
     near(from, from, fixed.edges(), [&](std::uint32_t i) {
       if (const auto foot = foot_on(all.edges[i], from + offset_))
-        point(Snap::Kind::vertex_edge, from, v.local, v.part, *foot, &all.edges[i]);
+        point_on_edge(Snap::Kind::vertex_edge, from, corners_of(v), v.part, *foot, all.edges[i]);
     });
     near(from, from, fixed.faces(), [&](std::uint32_t i) {
       const auto& f = all.faces[i];
-      plane(Snap::Kind::vertex_face, from, v.local, v.part, to_glm(f.point), f, to_glm(f.normal),
-            glm::dvec3(0), &f);
+      plane(Snap::Kind::vertex_face, from, corners_of(v), v.part, to_glm(f.point), corners_of(f), f,
+            to_glm(f.normal), glm::dvec3(0), &f);
     });
   }
 
@@ -155,9 +180,8 @@ class Search {
     const double length = glm::dot(d, d);
     const SnapFeatures& all = fixed.features();
     near(from, to_glm(e.to), fixed.vertices(), [&](std::uint32_t i) {
-      const glm::dvec3 to = to_glm(all.vertices[i].point);
-      const double t = glm::dot(to - a, d) / length;
-      if (t >= 0 && t <= 1) edge_onto_vertex(e, d, a + d * t - offset_, to);
+      const double t = glm::dot(to_glm(all.vertices[i].point) - a, d) / length;
+      if (t >= 0 && t <= 1) edge_onto_vertex(e, d, a + d * t - offset_, all.vertices[i]);
     });
     near(from, to_glm(e.to), fixed.edges(), [&](std::uint32_t i) {
       const auto& other = all.edges[i];
@@ -166,21 +190,23 @@ class Search {
       const double t0 = glm::dot(a - b, c) / glm::dot(c, c);
       const double t1 = glm::dot(a + d - b, c) / glm::dot(c, c);
       if (std::max(t0, t1) < 0 || std::min(t0, t1) > 1) return;  // beside each other
-      point(Snap::Kind::edge_edge, from, e.local, e.part, b + c * t0, &other);
+      point_on_edge(Snap::Kind::edge_edge, from, corners_of(e), e.part, b + c * t0, other);
     });
   }
 
   // Any point of an edge along an axis has the two coordinates that count; on a slanted one there
   // may be no double.
   void edge_onto_vertex(const SnapFeatures::Edge& e, const glm::dvec3& direction,
-                        const glm::dvec3& from, const glm::dvec3& to) {
+                        const glm::dvec3& from, const SnapFeatures::Vertex& onto) {
     const int along = axis_of(direction);
-    Candidate made{Snap::Kind::edge_vertex, to - (from + offset_), from, to, std::nullopt, e.part};
+    const glm::dvec3 to = to_glm(onto.point);
+    Candidate made{Snap::Kind::edge_vertex, to - (from + offset_), from, to, e.part};
     if (!allowed(made.step)) return;
+    made.on = corners_of(onto);
     made.is_expressible = along >= 0;
     if (along >= 0) {
       made.fixed[static_cast<std::size_t>(along)] = false;
-      made.local = e.local;
+      made.moved = corners_of(e);
       made.from = to_glm(e.from);
     }
     propose(made);
@@ -188,9 +214,10 @@ class Search {
 
   /// Moves a point of the dragged solid onto a plane, along the directions that are free, if that
   /// is beside `box`.
-  void plane(Snap::Kind kind, const glm::dvec3& from, const Vec3& local, std::uint32_t part,
-             const glm::dvec3& on_plane, const SnapFeatures::Face& box, const glm::dvec3& n,
-             const glm::dvec3& dragged_extent, const SnapFeatures::Face* shown) {
+  void plane(Snap::Kind kind, const glm::dvec3& from, const Corners& moved, std::uint32_t part,
+             const glm::dvec3& on_plane, const Corners& on, const SnapFeatures::Face& box,
+             const glm::dvec3& n, const glm::dvec3& dragged_extent,
+             const SnapFeatures::Face* shown) {
     glm::dvec3 free(0);
     for (const glm::dvec3& d : directions_) free += d * glm::dot(n, d);
     const double along = glm::dot(free, n);
@@ -201,11 +228,12 @@ class Search {
     if (glm::any(glm::lessThan(there, to_glm(box.low) - margin)) ||
         glm::any(glm::greaterThan(there, to_glm(box.high) + margin)))
       return;
-    Candidate made{kind, step, from, there, local, part};
+    Candidate made{kind, step, from, there, part, moved};
     made.face = shown;
     const int axis = axis_of(n);
     made.is_expressible = axis >= 0;
     if (axis >= 0) {
+      made.on = on;
       made.to[axis] = on_plane[axis];
       made.fixed = {axis == 0, axis == 1, axis == 2};
     }
@@ -219,14 +247,14 @@ class Search {
     near(to_glm(f.low), to_glm(f.high), fixed.faces(), [&](std::uint32_t i) {
       const auto& other = all.faces[i];
       if (glm::dot(n, to_glm(other.normal)) < -parallel)
-        plane(Snap::Kind::face_face, from, f.local, f.part, to_glm(other.point), other,
-              to_glm(other.normal), extent, &other);
+        plane(Snap::Kind::face_face, from, corners_of(f), f.part, to_glm(other.point),
+              corners_of(other), other, to_glm(other.normal), extent, &other);
     });
     near(to_glm(f.low), to_glm(f.high), fixed.vertices(), [&](std::uint32_t i) {
       const auto& v = all.vertices[i];
-      const SnapFeatures::Face at{v.point, v.point, f.normal, v.point, v.point};
-      plane(Snap::Kind::face_vertex, from, f.local, f.part, to_glm(v.point), at, n, extent,
-            nullptr);
+      const SnapFeatures::Face at{v.point, f.normal, v.point, v.point};
+      plane(Snap::Kind::face_vertex, from, corners_of(f), f.part, to_glm(v.point), corners_of(v),
+            at, n, extent, nullptr);
     });
   }
 
@@ -239,9 +267,26 @@ class Search {
   int comparisons_ = 0;
 };
 
-Snap snap_of(const Candidate& best, const glm::dvec3& offset, const SnapTargets& target) {
-  Snap made{best.kind, from_glm(offset), from_glm(best.from), from_glm(best.to), best.local,
-            best.part, best.fixed,       best.is_expressible, best.target,       {}};
+std::vector<ExactCorner> exact_corners(const SnapFeatures& features, const Corners& corners) {
+  std::vector<ExactCorner> made;
+  for (std::size_t i = 0; i < corners.count; ++i) made.push_back(features.corners[corners.at[i]]);
+  return made;
+}
+
+Snap snap_of(const Candidate& best, const glm::dvec3& offset, const SnapFeatures& dragged,
+             const SnapTargets& target) {
+  Snap made;
+  made.kind = best.kind;
+  made.offset = from_glm(offset);
+  made.from = from_glm(best.from);
+  made.to = from_glm(best.to);
+  made.part = best.part;
+  made.moved = exact_corners(dragged, best.moved);
+  made.on = exact_corners(target.features(), best.on);
+  made.on_place = target.place();
+  made.fixed = best.fixed;
+  made.is_expressible = best.is_expressible;
+  made.target = best.target;
   if (best.edge) made.shown = {best.edge->from, best.edge->to};
   if (best.face) made.shown = target.outline(*best.face);
   return made;
@@ -250,7 +295,7 @@ Snap snap_of(const Candidate& best, const glm::dvec3& offset, const SnapTargets&
 /// The normal of a contact of planes: the only coordinate that is fixed, or the way that it moved.
 glm::dvec3 normal_of(const Candidate& best) {
   for (int i = 0; i < 3; ++i)
-    if (best.fixed == std::array<bool, 3>{i == 0, i == 1, i == 2}) {
+    if (best.fixed == Coordinates{i == 0, i == 1, i == 2}) {
       glm::dvec3 normal(0);
       normal[i] = 1;
       return normal;
@@ -302,7 +347,7 @@ Snaps snap(const SnapFeatures& dragged, const std::vector<const SnapTargets*>& f
     if (!search.best()) break;
     const Candidate& best = *search.best();
     now += best.step;
-    made.contacts.push_back(snap_of(best, now, *fixed[best.target]));
+    made.contacts.push_back(snap_of(best, now, dragged, *fixed[best.target]));
     if (rank(best.kind) < rank(Snap::Kind::face_face)) break;  // nothing is left to move
     const glm::dvec3 normal = normal_of(best);
     if (normal == glm::dvec3(0)) break;

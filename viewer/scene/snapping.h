@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/box_tree.h"
+#include "scene/exact_moves.h"
 #include "scene/scene.h"
 
 namespace sectile::viewer {
@@ -16,25 +17,30 @@ namespace sectile::viewer {
 double snapped(double value, double step);
 Vec3 snapped(const Vec3& value, double step);
 
-/// What of solids others can be snapped to, in the world, as doubles. `local` points are the same
-/// ones in the solid's own coordinates; `part` tells the solids of one drag apart.
+/// What of solids others can be snapped to, in the world, as doubles, and the exact corners of the
+/// solids that they are made of. `part` tells the solids of one drag apart.
 struct SnapFeatures {
+  using CornerIndex = std::uint32_t;
   struct Vertex {
-    Vec3 point, local;
+    Vec3 point;
+    CornerIndex corner = 0;
     std::uint32_t part = 0;
   };
   struct Edge {
-    Vec3 from, to, local;  ///< `local` is `from`
+    Vec3 from, to;
+    std::array<CornerIndex, 2> corners{};
     std::uint32_t part = 0;
   };
   struct Face {
-    Vec3 point, local, normal;  ///< the normal has length one and points outwards
-    Vec3 low, high;             ///< the box around it
+    Vec3 point, normal;                    ///< the normal has length one and points outwards
+    Vec3 low, high;                        ///< the box around it
+    std::array<CornerIndex, 3> corners{};  ///< of one of its triangles
     std::uint32_t part = 0;
   };
-  std::vector<Vertex> vertices;  ///< ends of hard edges
-  std::vector<Edge> edges;       ///< between faces of different direction
-  std::vector<Face> faces;       ///< one for each plane and connected part
+  std::vector<ExactCorner> corners;  ///< in the coordinates of the solid that they belong to
+  std::vector<Vertex> vertices;      ///< ends of hard edges
+  std::vector<Edge> edges;           ///< between faces of different direction
+  std::vector<Face> faces;           ///< one for each plane and connected part
   void add(const SnapFeatures& more, std::uint32_t part);
 };
 /// Of a solid in its own coordinates (Evaluation::Entry::inside) that stands in the world so.
@@ -43,8 +49,10 @@ SnapFeatures snap_features(const Solid& inside, const Transform& world = {});
 /// The features of a solid that stands still, found by their place.
 class SnapTargets {
  public:
-  SnapTargets(SnapFeatures all);
+  /// `place`: from the coordinates of the corners to those that contacts are looked for in.
+  SnapTargets(SnapFeatures all, ExactTransform place = {});
   const SnapFeatures& features() const { return features_; }
+  const ExactTransform& place() const { return place_; }
   const BoxTree& vertices() const { return vertices_; }
   const BoxTree& edges() const { return edges_; }
   const BoxTree& faces() const { return faces_; }
@@ -53,6 +61,7 @@ class SnapTargets {
 
  private:
   SnapFeatures features_;
+  ExactTransform place_;
   BoxTree vertices_, edges_, faces_;
 };
 
@@ -72,16 +81,21 @@ struct Snap {
     face_vertex
   };
   Kind kind = Kind::vertex_vertex;
-  Vec3 offset;  ///< instead of the proposed one; exact where a double can say it
+  Vec3 offset;  ///< instead of the proposed one, rounded
   /// A point of the dragged solid, as it stood before the drag, and the point where it comes to be.
   Vec3 from, to;
-  std::optional<Vec3> local;  ///< `from` in the solid's own coordinates, if it is one of its points
-  std::uint32_t part = 0;     ///< the dragged solid
+  std::uint32_t part = 0;  ///< the dragged solid
+  /// Corners of the dragged solid, in its own coordinates, and of the one standing still, whose
+  /// place is `on_place`. The first of the one side comes onto the first of the other; all others
+  /// are then level with them, if the contact is exact. Empty: a point between corners, `from` or
+  /// `to`.
+  std::vector<ExactCorner> moved, on;
+  ExactTransform on_place;
   /// Coordinates of `from` that the contact fixes: all for points, that of the normal for faces
   /// along an axis, the other two for edges along one.
-  std::array<bool, 3> fixed{true, true, true};
-  /// Are they what the contact needs? Not for slanted edges and planes, which hardly ever have
-  /// doubles on them.
+  Coordinates fixed{true, true, true};
+  /// Are they what the contact needs? Not for slanted edges and planes: their points hardly ever
+  /// are sums of doubles.
   bool is_expressible = true;
   std::size_t target = 0;   ///< which of the solids standing still
   std::vector<Vec3> shown;  ///< ends of its edges that take part; none for a vertex
@@ -99,23 +113,23 @@ struct Snaps {
 Snaps snap(const SnapFeatures& dragged, const std::vector<const SnapTargets*>& fixed,
            const Vec3& offset, double reach, const SnapDirections& directions = all_directions());
 
-struct Landing {
-  Placement placement;
-  bool is_exact = false;  ///< the wanted coordinates are reached to the last bit
+/// A node that is dragged: its placement before, the exact form of what its parent's coordinates
+/// are in those of the contacts, and for each part of the drag the way from the part's coordinates
+/// to the node's, if it belongs to this node.
+struct DraggedNode {
+  Placement start;
+  ExactTransform parent;
+  std::vector<std::optional<ExactTransform>> ways{ExactTransform()};
 };
 
-/// The placement moved so that `parent` · placement · `below` maps `local` onto `target` in the
-/// coordinates chosen, to the last bit if there is a position that does. Only for parents that are
-/// turned by other than right angles, positions may exist that are not found. `parent` is
-/// Scene::world_of_parent; `below` leads from the solid's coordinates to the node's.
-Landing moved_onto(const Placement& start, const Transform& parent, const Vec3& local,
-                   const Vec3& target, const std::array<bool, 3>& fixed = {true, true, true},
-                   const Transform& below = {});
+struct Landings {
+  std::vector<Placement> placements;  ///< one for each node
+  bool is_exact = false;              ///< all contacts are
+};
 
-/// The placement after a drag by `offset` with these contacts of its solids, each as above. Those
-/// for which `below` holds nothing belong to other nodes, and only give the offset.
-Landing placed_by(const Placement& start, const Transform& parent, const Vec3& offset,
-                  const std::vector<Snap>& contacts,
-                  const std::vector<std::optional<Transform>>& below = {Transform()});
+/// The placements after a drag by `offset` with these contacts. Nodes whose parents are turned
+/// alike move as one, so that what was flush among them stays flush.
+Landings placed_by(const std::vector<DraggedNode>& nodes, const Vec3& offset,
+                   const std::vector<Snap>& contacts);
 
 }  // namespace sectile::viewer

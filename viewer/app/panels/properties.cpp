@@ -22,7 +22,7 @@ class Fields {
     ImGui::SameLine();
     ImGui::TextDisabled("%s", kind_of(node_).c_str());
     draw_colour();
-    triple("Position", "position", node_.placement.position, 0.01, Quantity::length);
+    draw_position();
     triple("Rotation (degrees)", "rotation", node_.placement.rotation, 0.5, Quantity::angle);
     triple("Scale", "scale", node_.placement.scale, 0.005, Quantity::plain);
     ImGui::Spacing();
@@ -34,6 +34,16 @@ class Fields {
   }
 
  private:
+  /// What is typed is the whole place: nothing remains beside it.
+  void draw_position() {
+    Vec3& rest = node_.placement.remainder;
+    const std::array<double*, 3> rests{&rest.x, &rest.y, &rest.z};
+    const std::array<bool, 3> changed =
+        triple("Position", "position", node_.placement.position, 0.01, Quantity::length, rest);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (changed[axis]) *rests[axis] = 0;
+  }
+
   void edited(const char* what, Edited edited) {
     if (edited.changing || edited.done) what_ = what;
     changing_ |= edited.changing;
@@ -54,8 +64,9 @@ class Fields {
     context_.widgets.record_item("properties.error");
   }
 
-  void triple(const char* text, const std::string& name, Vec3& value, double speed,
-              Quantity quantity) {
+  /// Which of the three are other values now, or the same ones typed again.
+  std::array<bool, 3> triple(const char* text, const std::string& name, Vec3& value, double speed,
+                             Quantity quantity, const Vec3& beside = {}) {
     ImGui::PushFont(context_.fonts.small);
     ImGui::TextDisabled("%s", text);
     ImGui::PopFont();
@@ -64,13 +75,19 @@ class Fields {
     const std::array<Colour, 3> colours{context_.theme.handle_x, context_.theme.handle_y,
                                         context_.theme.handle_z};
     const std::array<double*, 3> values{&value.x, &value.y, &value.z};
+    const std::array<double, 3> rests{beside.x, beside.y, beside.z};
+    std::array<bool, 3> changed{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (axis > 0) ImGui::SameLine(0, gap);
-      edited(text, number_field(context_, "properties." + name + "." + "xyz"[axis], *values[axis],
-                                speed, width, quantity));
+      const Edited field = number_field(
+          context_, "properties." + name + "." + "xyz" [axis], *values[axis], speed, width,
+          quantity, {}, rests[axis]);
+      edited(text, field);
+      changed[axis] = field.changing;
       const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
       ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - 2}, high, packed(colours[axis]));
     }
+    return changed;
   }
 
   void row(const char* text) {
