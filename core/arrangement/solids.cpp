@@ -3,7 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "boolean/cleanup.h"
+#include "boolean/cleanup/cleanup.h"
 #include "import/brep_builder.h"
 #include "sectile/errors.h"
 #include "storage/geometry_loader.h"

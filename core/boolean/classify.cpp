@@ -1,9 +1,8 @@
 // The four- and eight-way boundary classification as results in their own right (paper, section 4).
 #include <cmath>
 
-#include "boolean/components.h"
-#include "boolean/run.h"
-#include "boolean/tables.h"
+#include "boolean/boolean.h"
+#include "boolean/components/components.h"
 
 namespace sectile {
 namespace {
@@ -62,12 +61,13 @@ class PartBuilder {
   std::vector<std::uint32_t> number_;
 };
 
-SurfacePart collect_part(const Workspace& w, const FaceLabels& labels, int s, std::uint8_t label) {
+SurfacePart collect_part(const Workspace& w, const FaceLabels& labels, Operand s,
+                         std::uint8_t label) {
   SurfacePart part;
   const Patch& patch = w.patch[s];
   PartBuilder loaded(patch.brep, w.geometry, part);
-  for (std::size_t f = 0; f < labels.loaded[s].size(); ++f)
-    if (labels.loaded[s][f] == label) loaded.add(FaceId(f));
+  for (const FaceId f : labels.loaded[s].ids())
+    if (labels.loaded[s][f] == label) loaded.add(f);
   if (labels.rest[s].empty()) return part;
   // The operands are loaded from one block.
   PartBuilder rest(patch.solid->brep(), patch.solid->geometry(), part);
@@ -106,17 +106,19 @@ EightWay classify(const Solid& a, const Solid& b, const BooleanOptions& options)
   Workspace w(unobserved);
   FacePairs pairs;
   load(w, a.data()->in_one_block(), b.data()->in_one_block(), pairs);
-  cut(w, pairs, {});
-  const FaceLabels labels = find_components(w, [](int, Class c) { return label(c); });
-  const auto part = [&](int s, Class c) { return collect_part(w, labels, s, label(c)); };
-  result.a_in_b = part(0, Class::in);
-  result.a_out_b = part(0, Class::out);
-  result.a_on_b_plus = part(0, Class::on_plus);
-  result.a_on_b_minus = part(0, Class::on_minus);
-  result.b_in_a = part(1, Class::in);
-  result.b_out_a = part(1, Class::out);
-  result.b_on_a_plus = part(1, Class::on_plus);
-  result.b_on_a_minus = part(1, Class::on_minus);
+  const CutBoundaries boundaries = cut(w, pairs, {});
+  const FaceLabels labels =
+      find_components(w, boundaries.contacts, boundaries.neighborhoods, boundaries.joined,
+                      [](Operand, Class c) { return label(c); });
+  const auto part = [&](Operand s, Class c) { return collect_part(w, labels, s, label(c)); };
+  result.a_in_b = part(Operand::a, Class::in);
+  result.a_out_b = part(Operand::a, Class::out);
+  result.a_on_b_plus = part(Operand::a, Class::on_plus);
+  result.a_on_b_minus = part(Operand::a, Class::on_minus);
+  result.b_in_a = part(Operand::b, Class::in);
+  result.b_out_a = part(Operand::b, Class::out);
+  result.b_on_a_plus = part(Operand::b, Class::on_plus);
+  result.b_on_a_minus = part(Operand::b, Class::on_minus);
   return result;
 }
 
@@ -137,13 +139,14 @@ FourWay classify(const Solid& a, const Solid& b, Operation operation,
   FacePairs pairs;
   load(w, a.data()->in_one_block(), b.data()->in_one_block(), pairs);
   const Operation wanted[] = {operation};
-  cut(w, pairs, wanted);
+  const CutBoundaries boundaries = cut(w, pairs, {wanted});
   const FaceLabels labels =
-      find_components(w, [&](int s, Class c) { return label(reclassified(operation, s, c)); });
-  result.a_in_b = collect_part(w, labels, 0, label(Class::in));
-  result.a_out_b = collect_part(w, labels, 0, label(Class::out));
-  result.b_in_a = collect_part(w, labels, 1, label(Class::in));
-  result.b_out_a = collect_part(w, labels, 1, label(Class::out));
+      find_components(w, boundaries.contacts, boundaries.neighborhoods, boundaries.joined,
+                      [&](Operand s, Class c) { return label(reclassified(operation, s, c)); });
+  result.a_in_b = collect_part(w, labels, Operand::a, label(Class::in));
+  result.a_out_b = collect_part(w, labels, Operand::a, label(Class::out));
+  result.b_in_a = collect_part(w, labels, Operand::b, label(Class::in));
+  result.b_out_a = collect_part(w, labels, Operand::b, label(Class::out));
   return result;
 }
 

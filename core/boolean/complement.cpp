@@ -1,6 +1,6 @@
 #include "boolean/complement.h"
 
-#include "boolean/run.h"
+#include "boolean/boolean.h"
 
 namespace sectile {
 namespace {
@@ -9,12 +9,10 @@ namespace {
 std::shared_ptr<const SolidData> paired_for_complement(const SolidData& solid) {
   const BooleanOptions options;
   Workspace w(options);
-  w.of_complement = true;
   FacePairs pairs;
   load(w, solid, solid, pairs);
   const Operation wanted[] = {Operation::unite};
-  cut(w, pairs, wanted);
-  return assemble(w, Operation::unite, 0).data();
+  return assemble(w, cut(w, pairs, {wanted, true}), Operation::unite, 0).data();
 }
 
 }  // namespace

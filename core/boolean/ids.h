@@ -24,6 +24,9 @@ struct HalfPlaneTag {
 struct SiteTag {
   static constexpr char letter = 'i';
 };
+struct PlannedEndTag {
+  static constexpr char letter = 'n';
+};
 struct CutEndTag {
   static constexpr char letter = 'd';
 };
@@ -34,6 +37,7 @@ using SegmentId = Id<SegmentTag>;
 using CarrierId = Id<CarrierTag>;
 using HalfPlaneId = Id<HalfPlaneTag>;
 using SiteId = Id<SiteTag>;
+using PlannedEndId = Id<PlannedEndTag>;
 using CutEndId = Id<CutEndTag>;
 
 }  // namespace sectile

@@ -1,8 +1,8 @@
 // Finds the pairs of faces that may meet, and loads these faces.
 #include <algorithm>
 
+#include "boolean/boolean.h"
 #include "boolean/collect.h"
-#include "boolean/run.h"
 
 namespace sectile {
 namespace {

@@ -20,7 +20,7 @@ Patch load_whole(const SolidData& solid, Geometry& geometry) {
   patch.brep.kind.assign(patch.brep.face_count(), FaceKind::real);
   patch.face_in_solid.resize(patch.brep.face_count());
   for (std::size_t f = 0; f < patch.face_in_solid.size(); ++f) patch.face_in_solid[f] = FaceId(f);
-  patch.half_edge_in_solid.assign(patch.brep.half_edge_count(), HalfEdgeId());
+  patch.half_edge_in_solid.resize(patch.brep.half_edge_count());
   patch.side_plane.resize(patch.brep.half_edge_count());
   patch.whole = true;
   return patch;
@@ -151,16 +151,16 @@ class PartLoader {
   void close_open_ends() {
     Brep& to = patch_.brep;
     if (!to.edge_plane.empty()) to.edge_plane.resize(to.edge_count());
-    patch_.half_edge_in_solid.assign(to.half_edge_count(), HalfEdgeId());
+    patch_.half_edge_in_solid.resize(to.half_edge_count());
     patch_.side_plane.resize(to.half_edge_count());
     std::vector<HalfEdgeId> open;
     for (std::size_t i = 0; i < to.half_edge_count(); ++i)
       if (!to.loop[i].valid()) open.push_back(HalfEdgeId(i));
     for (const HalfEdgeId h : open) {
       const Source& from = source_[h.value()];
-      patch_.half_edge_in_solid[h.value()] = solid_.half_edge(from.slot, from.h);
+      patch_.half_edge_in_solid[h] = solid_.half_edge(from.slot, from.h);
       // The plane beyond the open end still bounds the loaded face's edge.
-      patch_.side_plane[Brep::twin(h).value()] = face_plane(from);
+      patch_.side_plane[Brep::twin(h)] = face_plane(from);
       HalfEdgeId after = Brep::twin(h);
       do after = Brep::twin(to.prev_of(after));
       while (to.loop[after.value()].valid());
@@ -224,6 +224,7 @@ void Patch::reserve(std::size_t more_edges) {
   brep.reserve(more_edges, more_edges, more_edges);
   side_plane.reserve(side_plane.size() + 2 * more_edges);
   half_edge_in_solid.reserve(half_edge_in_solid.size() + 2 * more_edges);
+  flat.reserve(flat.size() + more_edges);
   root.reserve(root.size() + more_edges);
 }
 
@@ -264,9 +265,8 @@ PlaneId pinning_plane(Patch& patch, EdgeId e, Geometry& geometry, const Kernel& 
 
 void find_sides(Patch& patch, Geometry& geometry, const Kernel& kernel) {
   Brep& brep = patch.brep;
-  patch.flat.assign(brep.edge_count(), 0);
-  for (std::size_t i = 0; i < brep.edge_count(); ++i) {
-    const EdgeId e{i};
+  patch.flat.resize(brep.edge_count());
+  for (const EdgeId e : patch.flat.ids()) {
     PlaneId planes[2];
     for (unsigned side = 0; side < 2; ++side) {
       const HalfEdgeId h = Brep::half_edge(e, side);
@@ -275,11 +275,11 @@ void find_sides(Patch& patch, Geometry& geometry, const Kernel& kernel) {
     }
     PlaneId sides[2] = {planes[1], planes[0]};
     if (kernel.parallel(planes[0], planes[1])) {
-      patch.flat[i] = 1;
+      patch.flat[e] = 1;
       sides[0] = sides[1] = pinning_plane(patch, e, geometry, kernel);
     }
     for (unsigned side = 0; side < 2; ++side)
-      patch.side_plane[Brep::half_edge(e, side).value()] = sides[side];
+      patch.side_plane[Brep::half_edge(e, side)] = sides[side];
   }
 }
 
@@ -313,7 +313,7 @@ void find_boxes(Patch& patch, const Geometry& geometry) {
 
 void complete_patch(Patch& patch, Geometry& geometry, Kernel& kernel) {
   patch.root.resize(patch.brep.face_count());
-  for (std::size_t f = 0; f < patch.root.size(); ++f) patch.root[f] = FaceId(f);
+  for (const FaceId f : patch.root.ids()) patch.root[f] = f;
   find_sides(patch, geometry, kernel);
   kernel.refresh();
   find_boxes(patch, geometry);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "numbers/table.h"
 #include "search/box_tree.h"
 #include "storage/solid_data.h"
 
@@ -21,14 +22,16 @@ struct Patch {
   /// Per loaded edge and vertex: the operand's. Empty if all of it is loaded.
   std::vector<EdgeId> edge_in_solid;
   std::vector<VertexId> vertex_in_solid;
-  /// Per face: the loaded face of which it is a part.
-  std::vector<FaceId> root;
-  /// Per half-edge of an open end (in a rest face): the operand's half-edge; otherwise invalid.
-  std::vector<HalfEdgeId> half_edge_in_solid;
-  /// Per half-edge: a plane through it that is not parallel to its face's plane.
-  std::vector<PlaneId> side_plane;
-  /// Per edge: does it lie between coplanar faces?
-  std::vector<std::uint8_t> flat;
+  // What follows grows with the structure: see PatchEuler.
+  /// The loaded face of which a face is a part.
+  Table<FaceId, FaceId> root;
+  /// Of a half-edge of an open end (in a rest face): the operand's half-edge; otherwise invalid.
+  Table<HalfEdgeId, HalfEdgeId> half_edge_in_solid;
+  /// A plane through a half-edge that is not parallel to its face's plane; invalid for null edges.
+  Table<HalfEdgeId, PlaneId> side_plane;
+  /// Does an edge lie between coplanar faces?
+  Table<EdgeId, std::uint8_t> flat;
+
   /// Per loaded face with many corners: a tree over its half-edges.
   std::vector<std::unique_ptr<BoxTree>> half_edge_tree;
   std::vector<std::vector<HalfEdgeId>> tree_half_edges;
@@ -44,8 +47,14 @@ struct Patch {
 
   bool is_real(FaceId f) const { return brep.kind[f.value()] == FaceKind::real; }
   PlaneId plane(FaceId f) const { return brep.plane[f.value()]; }
-  PlaneId side(HalfEdgeId h) const { return side_plane[h.value()]; }
-  bool is_flat(EdgeId e) const { return flat[e.value()] != 0; }
+  PlaneId side(HalfEdgeId h) const { return side_plane[h]; }
+  bool is_flat(EdgeId e) const { return flat[e] != 0; }
+  FaceId root_of(FaceId f) const { return root[f]; }
+  FaceId root_of(HalfEdgeId h) const { return root[brep.face_of(h)]; }
+  /// Do both ends lie at one place?
+  bool is_null(HalfEdgeId h) const {
+    return brep.point_of(brep.from(h)) == brep.point_of(brep.to(h));
+  }
   /// The face that speaks for an edge or vertex when pairs of faces are enumerated.
   FaceId owner(EdgeId e) const {
     const FaceId f = brep.face_of(Brep::half_edge(e, 0));

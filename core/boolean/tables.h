@@ -3,10 +3,13 @@
 // other tables follow from this one.
 #pragma once
 
-#include "boolean/records.h"
+#include "boolean/operand.h"
 #include "sectile/boolean.h"
 
 namespace sectile {
+
+/// Where a piece of one boundary lies relative to the other solid.
+enum class Class : std::uint8_t { in, out, on_plus, on_minus };
 
 struct ReclassificationRow {
   Operation operation;
@@ -19,25 +22,25 @@ inline constexpr ReclassificationRow table_1[] = {
     {Operation::subtract, Class::in, Class::out, Class::out, Class::out},
 };
 
-/// The four-way class of a piece of solid s.
-constexpr Class reclassified(Operation operation, int solid, Class c) {
+/// The four-way class of a piece of an operand's boundary.
+constexpr Class reclassified(Operation operation, Operand operand, Class c) {
   if (c == Class::in || c == Class::out) return c;
   const ReclassificationRow& row = table_1[static_cast<int>(operation)];
-  if (c == Class::on_plus) return solid == 0 ? row.a_on_b_plus : row.b_on_a_plus;
-  return solid == 0 ? row.a_on_b_minus : row.b_on_a_minus;
+  if (c == Class::on_plus) return operand == Operand::a ? row.a_on_b_plus : row.b_on_a_plus;
+  return operand == Operand::a ? row.a_on_b_minus : row.b_on_a_minus;
 }
 
 /// Equation (4): is a part of the four-way classification in the result's boundary?
-constexpr bool kept(Operation operation, int solid, Class c) {
-  const Class four_way = reclassified(operation, solid, c);
+constexpr bool kept(Operation operation, Operand operand, Class c) {
+  const Class four_way = reclassified(operation, operand, c);
   const bool outside =
-      operation == Operation::unite || (operation == Operation::subtract && solid == 0);
+      operation == Operation::unite || (operation == Operation::subtract && operand == Operand::a);
   return four_way == (outside ? Class::out : Class::in);
 }
 
 /// Equation (4): is the part turned inside out?
-constexpr bool reversed(Operation operation, int solid) {
-  return operation == Operation::subtract && solid == 1;
+constexpr bool reversed(Operation operation, Operand operand) {
+  return operation == Operation::subtract && operand == Operand::b;
 }
 
 }  // namespace sectile

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "boolean/face_parts.h"
+#include "geometry/loop_area.h"
 #include "import/contacts.h"
 #include "import/nesting.h"
 #include "import/shells.h"

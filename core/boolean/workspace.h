@@ -1,5 +1,4 @@
-// What one operation works on: the loaded parts of both operands, one geometry, and the records of
-// the phases.
+// What all phases of one operation work on: the loaded parts of both operands, and one geometry.
 #pragma once
 
 #include <atomic>
@@ -16,29 +15,14 @@ struct Workspace {
   explicit Workspace(const BooleanOptions& o) : options(o) {}
 
   const BooleanOptions& options;
-  bool of_complement = false;  ///< wedges are those of the result's complement
   Geometry geometry;
   std::unique_ptr<Kernel> kernel;
   PerOperand<Patch> patch;
 
-  // Reduction.
+  // While the reduction is at work; then it hands them over as Contacts.
   std::vector<Contact> contacts;   ///< ascending by entities, crossings last
   Table<PlaceId, PointId> places;  ///< the point of each place
   std::vector<SegmentRecord> records;
-
-  // Neighborhoods: what lies around each segment, and the wedges of each wanted result.
-  std::vector<Segment> segments;
-  std::vector<Carrier> carriers;
-  std::vector<HalfPlane> half_planes;
-  std::vector<std::vector<WedgePair>> wedges;  ///< per wanted operation
-
-  // Null edges.
-  std::vector<Site> sites;
-  std::vector<CutEnd> cut_ends;
-  std::vector<std::pair<std::uint8_t, EdgeId>> null_edges;
-
-  /// The loaded faces in which null edges link corners that touch each other.
-  std::vector<std::pair<std::uint8_t, FaceId>> bridged;
 
   const Kernel& tests() const { return *kernel; }
   PointId point(PlaceId place) const { return places[place]; }

@@ -18,17 +18,17 @@ class AroundLine {
  public:
   /// `axis`: one on which the line has an extent, `up` the sign of its direction there. Without an
   /// axis all planes are parallel.
-  AroundLine(const Kernel& kernel, int axis, Sign up) : kernel_(kernel), axis_(axis), up_(up) {}
+  AroundLine(const Kernel& kernel, int axis, Sign up) : kernel_(&kernel), axis_(axis), up_(up) {}
 
   /// Positive: b is less than half a turn counter-clockwise of a.
   Sign turn(const LineSide& a, const LineSide& b) const {
     if (axis_ < 0) return Sign::zero;
-    const Sign s = kernel_.cross(a.plane, b.plane, axis_) * up_;
+    const Sign s = kernel_->cross(a.plane, b.plane, axis_) * up_;
     return a.forward == b.forward ? s : -s;
   }
   /// For half-planes without a turn: are they the same one?
   bool same_way(const LineSide& a, const LineSide& b) const {
-    return kernel_.same_direction(a.plane, b.plane) == (a.forward == b.forward);
+    return kernel_->same_direction(a.plane, b.plane) == (a.forward == b.forward);
   }
   bool tied(const LineSide& a, const LineSide& b) const {
     return turn(a, b) == Sign::zero && same_way(a, b);
@@ -47,7 +47,7 @@ class AroundLine {
   }
 
  private:
-  const Kernel& kernel_;
+  const Kernel* kernel_;
   int axis_;
   Sign up_;
 };

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <span>
 #include <utility>
 #include <vector>
@@ -36,9 +35,12 @@ class IdRange {
   constexpr Id operator[](std::size_t i) const { return Id(first_ + i); }
   constexpr Id front() const { return Id(first_); }
   constexpr Id back() const { return Id(last_ - 1); }
+  constexpr Id end_id() const { return Id(last_); }
   /// How many come before an id of the range.
   constexpr std::size_t index(Id id) const { return id.value() - first_; }
   constexpr bool contains(Id id) const { return first_ <= id.value() && id.value() < last_; }
+  /// Takes in end_id().
+  constexpr void extend() { ++last_; }
   constexpr Iterator begin() const { return Iterator(first_); }
   constexpr Iterator end() const { return Iterator(last_); }
 
@@ -53,7 +55,7 @@ class Table {
 
   Table() = default;
   explicit Table(std::size_t size, const T& value = T()) : items_(size, value) {}
-  Table(std::initializer_list<T> items) : items_(items) {}
+  explicit Table(std::vector<T> items) : items_(std::move(items)) {}
 
   T& operator[](Id id) { return items_[id.value()]; }
   const T& operator[](Id id) const { return items_[id.value()]; }

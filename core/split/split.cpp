@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "boolean/run.h"
+#include "boolean/boolean.h"
 #include "import/soup.h"
 #include "numbers/rounding.h"
 #include "sectile/boolean.h"
@@ -51,13 +51,13 @@ class MeetsPlane {
 void load(Workspace& w, const SolidData& solid, const HalfSpace& h, std::uint32_t origin,
           FacePairs& pairs) {
   const std::vector<FaceId> faces = faces_where(solid, MeetsPlane(h));
-  w.patch[0] = load_patch(solid, faces, w.geometry);
+  w.patch[Operand::a] = load_patch(solid, faces, w.geometry);
   // The normal points out of the half-space.
   const PlaneId plane = w.geometry.add_plane(PlaneCoefficients{-h.a, -h.b, -h.c, -h.d});
-  w.patch[1] = half_space_patch(plane, {origin, 0});
+  w.patch[Operand::b] = half_space_patch(plane, {origin, 0});
   w.kernel = std::make_unique<Kernel>(w.geometry);
   for (Patch& patch : w.patch) complete_patch(patch, w.geometry, *w.kernel);
-  for (const FaceId f : faces) pairs.push_back({loaded_face(w.patch[0], f), FaceId(0)});
+  for (const FaceId f : faces) pairs.push_back({loaded_face(w.patch[Operand::a], f), FaceId(0)});
 }
 
 }  // namespace
@@ -74,8 +74,8 @@ std::pair<Solid, Solid> split(const Solid& solid, const HalfSpace& half_space,
   FacePairs pairs;
   load(w, operand(solid, options), half_space, new_origin(), pairs);
   const Operation wanted[] = {above, below};
-  cut(w, pairs, wanted);
-  return {assemble(w, above, 0), assemble(w, below, 1)};
+  const CutBoundaries boundaries = cut(w, pairs, {wanted});
+  return {assemble(w, boundaries, above, 0), assemble(w, boundaries, below, 1)};
 }
 
 Section section(const Solid& solid, const HalfSpace& half_space) {
@@ -92,9 +92,8 @@ Section section(const Solid& solid, const HalfSpace& half_space, const BooleanOp
   const std::uint32_t origin = new_origin();
   load(w, *solid.data(), half_space, origin, pairs);
   const Operation wanted[] = {below};
-  cut(w, pairs, wanted);
   // The caps of the part below have the normal of the plane.
-  const Solid part = assemble(w, below, 0);
+  const Solid part = assemble(w, cut(w, pairs, {wanted}), below, 0);
   if (part.is_empty()) return result;
   const Brep& brep = part.data()->brep();
   for (std::size_t f = 0; f < brep.face_count(); ++f) {

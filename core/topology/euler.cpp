@@ -90,10 +90,33 @@ VertexId Euler::semv(HalfEdgeId h, PointId point) {
 HalfEdgeId Euler::mev(HalfEdgeId first, HalfEdgeId end) {
   const VertexId old = brep_.from(first), made(brep_.vertex_count());
   assert(brep_.from(end) == old);
+  for (HalfEdgeId h = first; h != end; h = brep_.around(h)) brep_.origin[h.value()] = made;
+  return link_vertex(old, first, end);
+}
+
+void Euler::mev_chain(std::span<const HalfEdgeId> first, HalfEdgeId end,
+                      std::vector<HalfEdgeId>& made) {
+  const std::size_t before = made.size();
+  VertexId last = brep_.from(end);
+  for (const HalfEdgeId h : first) {
+    made.push_back(link_vertex(last, h.valid() ? h : end, end));
+    end = Brep::twin(made.back());
+    last = brep_.from(end);
+  }
+  // The cycles around the new vertices say which half-edges leave them.
+  for (const HalfEdgeId out : std::span(made).subspan(before)) {
+    const VertexId vertex = brep_.to(out);
+    for_each_around(brep_, Brep::twin(out),
+                    [&](HalfEdgeId h) { brep_.origin[h.value()] = vertex; });
+  }
+}
+
+// All of mev but for the origins of the half-edges that move.
+HalfEdgeId Euler::link_vertex(VertexId old, HalfEdgeId first, HalfEdgeId end) {
+  const VertexId made(brep_.vertex_count());
   brep_.point.push_back(brep_.point_of(old));
   const HalfEdgeId out = add_edge(old, made), back = Brep::twin(out);
   brep_.vertex_half_edge.push_back(back);
-  for (HalfEdgeId h = first; h != end; h = brep_.around(h)) brep_.origin[h.value()] = made;
   brep_.vertex_half_edge[old.value()] = out;
   const HalfEdgeId into_first = Brep::twin(first), into_end = Brep::twin(end);
   const HalfEdgeId after_first = brep_.next_of(into_first), after_end = brep_.next_of(into_end);

@@ -5,6 +5,9 @@
 // is named by h, which leaves the corner's vertex.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "topology/brep.h"
 
 namespace sectile {
@@ -22,6 +25,10 @@ class Euler {
   /// Returns the new half-edge from the old vertex to the new one; its twin lies in the corner
   /// clockwise of `first`, it itself in the corner clockwise of `end`.
   HalfEdgeId mev(HalfEdgeId first, HalfEdgeId end);
+
+  /// A chain of vertices: mev(first[0], end), mev(first[1], twin of what that made), and so on; an
+  /// invalid first moves no half-edge. Adds what they make to `made`. Each half-edge moves once.
+  void mev_chain(std::span<const HalfEdgeId> first, HalfEdgeId end, std::vector<HalfEdgeId>& made);
 
   /// Make edge and face: a and b leave corners of one loop. The new half-edge runs from the corner
   /// of a to the corner of b and is returned; it is followed by b, its twin by a. One of the two
@@ -69,6 +76,7 @@ class Euler {
   void move_vertex(VertexId from, VertexId to);
 
   HalfEdgeId add_edge(VertexId from, VertexId to);
+  HalfEdgeId link_vertex(VertexId old, HalfEdgeId first, HalfEdgeId end);
   void link(HalfEdgeId before, HalfEdgeId after);
   HalfEdgeId cross_link(HalfEdgeId a, HalfEdgeId b);
   void label(HalfEdgeId member, LoopId loop);

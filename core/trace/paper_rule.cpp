@@ -1,5 +1,5 @@
 // Which of the paper's cases a neighborhood is. The operation does not use this: all cases come out
-// of one sort (boolean/neighborhoods), and this says which of them came out.
+// of one sort (boolean/neighborhoods/), and this says which of them came out.
 #include <array>
 #include <optional>
 

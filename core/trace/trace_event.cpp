@@ -55,7 +55,9 @@ std::string part_name(int solid, TraceClass cls) {
 TraceClass reclassified(Operation operation, int solid, TraceClass before) {
   if (!is_on(before)) return before;
   const Class on = before == TraceClass::on_plus ? Class::on_plus : Class::on_minus;
-  return reclassified(operation, solid, on) == Class::in ? TraceClass::in : TraceClass::out;
+  return reclassified(operation, solid == 0 ? Operand::a : Operand::b, on) == Class::in
+             ? TraceClass::in
+             : TraceClass::out;
 }
 
 std::string describe(const TraceHalfPlane& h) {

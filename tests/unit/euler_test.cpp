@@ -259,5 +259,39 @@ TEST(Euler, RandomSequencesKeepLinksAndSum) {
   }
 }
 
+// As mev one after the other, but each half-edge moves once.
+TEST(Euler, AChainOfVerticesIsTheSameAsOneVertexAfterTheOther) {
+  const Solid solid = pyramid(2, 2, 7);
+  Brep chain = solid.data()->brep();
+  VertexId apex(0);
+  const auto degree = [&](VertexId v) {
+    int count = 0;
+    for_each_around(chain, chain.vertex_half_edge[v.value()], [&](HalfEdgeId) { ++count; });
+    return count;
+  };
+  while (degree(apex) != 7) apex = VertexId(apex.value() + 1);
+  std::vector<HalfEdgeId> around;
+  for_each_around(chain, chain.vertex_half_edge[apex.value()],
+                  [&](HalfEdgeId h) { around.push_back(h); });
+  Brep single = chain;
+  // Runs of two, none and three half-edges, and of none at the end; two stay.
+  const std::vector<HalfEdgeId> first = {around[2], around[4], around[4], HalfEdgeId()};
+  std::vector<HalfEdgeId> made, expected;
+  HalfEdgeId end = around[0];
+  for (const HalfEdgeId h : first) {
+    expected.push_back(Euler(single).mev(h.valid() ? h : end, end));
+    end = Brep::twin(expected.back());
+  }
+  Euler(chain).mev_chain(first, around[0], made);
+  EXPECT_EQ(made, expected);
+  EXPECT_EQ(chain.origin, single.origin);
+  EXPECT_EQ(chain.next, single.next);
+  EXPECT_EQ(chain.prev, single.prev);
+  EXPECT_EQ(chain.loop, single.loop);
+  EXPECT_EQ(chain.vertex_half_edge, single.vertex_half_edge);
+  EXPECT_EQ(chain.point, single.point);
+  EXPECT_EQ(broken_links(chain, false), std::vector<std::string>{});
+}
+
 }  // namespace
 }  // namespace sectile

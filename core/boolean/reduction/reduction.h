@@ -9,7 +9,17 @@ namespace sectile {
 
 using FacePairs = std::vector<std::pair<FaceId, FaceId>>;
 
-/// Fills contacts, places and records for pairs of loaded faces that may meet.
-void reduce(Workspace& w, const FacePairs& candidates);
+/// Where the two boundaries meet.
+struct Contacts {
+  Table<ContactId, Contact> contacts;   ///< ascending by entities, crossings last
+  Table<PlaceId, PointId> places;       ///< the point of each place
+  std::vector<SegmentRecord> segments;  ///< one for each two entities that share one
+
+  PointId point(PlaceId place) const { return places[place]; }
+};
+
+/// The contacts of pairs of loaded faces that may meet. Vertices of the patches that are at one
+/// place share one point afterwards.
+Contacts reduce(Workspace& w, const FacePairs& candidates);
 
 }  // namespace sectile

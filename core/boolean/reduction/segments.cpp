@@ -350,12 +350,14 @@ void find_segments(Workspace& w, const ContactTable& table) {
   }
 }
 
-void reduce(Workspace& w, const FacePairs& candidates) {
+Contacts reduce(Workspace& w, const FacePairs& candidates) {
   const ContactTable table = find_contacts(w, candidates);
   find_segments(w, table);
   split_at_places(w);
   if (add_crossings(w)) split_at_places(w);
   add_touched_faces(w, table);
+  return {Table<ContactId, Contact>(std::move(w.contacts)), std::move(w.places),
+          std::move(w.records)};
 }
 
 }  // namespace sectile

@@ -1,0 +1,227 @@
+#include "boolean/components/components.h"
+
+#include <optional>
+
+#include "boolean/components/free_point.h"
+#include "boolean/components/point_in_solid.h"
+#include "search/id_map.h"
+#include "sectile/errors.h"
+
+namespace sectile {
+namespace {
+
+constexpr std::uint8_t nothing = 0, unknown = RestLabels::unknown;
+
+// Labels the faces of one operand.
+class Labelling {
+ public:
+  Labelling(Workspace& w, const Contacts& contacts, Operand operand, const LabelOf& label_of,
+            FaceLabels& labels)
+      : w_(w),
+        contacts_(contacts),
+        operand_(operand),
+        label_(label_of),
+        patch_(w.patch[operand]),
+        brep_(patch_.brep),
+        loaded_(labels.loaded[operand]),
+        rest_(labels.rest[operand]),
+        open_ends_(64) {
+    loaded_.assign(brep_.face_count(), unknown);
+    if (!patch_.unbounded) rest_ = RestLabels(patch_);
+    if (!rest_.empty()) find_open_ends();
+  }
+
+  void run(const Neighborhoods& neighborhoods, const JoinedCuts& joined) {
+    seed_from_segments(neighborhoods, joined);
+    spread();
+    visit_untouched_shells();
+    for (const FaceId f : loaded_.ids())
+      if (!patch_.is_real(f)) loaded_[f] = nothing;
+  }
+
+ private:
+  const SolidData& solid() const { return *patch_.solid; }
+  const Slot& slot(std::uint32_t s) const { return patch_.solid->slot(s); }
+
+  void find_open_ends() {
+    for (const HalfEdgeId here : patch_.half_edge_in_solid.ids())
+      if (const HalfEdgeId h = patch_.half_edge_in_solid[here]; h.valid())
+        open_ends_[h.value()] = here.value();
+  }
+
+  // True if the label is new.
+  static bool set(std::uint8_t& now, std::uint8_t label) {
+    if (now == label) return false;
+    if (now != unknown)
+      throw InternalError("a piece of a boundary is kept by one cut, not by another");
+    now = label;
+    return true;
+  }
+  void set_loaded(FaceId f, std::uint8_t label) {
+    if (set(loaded_[f], label)) stack_.push_back({loaded_slot, f.value()});
+  }
+  void set_rest(std::uint32_t s, FaceId local, std::uint8_t label) {
+    set_member(s, rest_.member(s, local), label);
+  }
+  void set_member(std::uint32_t s, std::uint32_t member, std::uint8_t label) {
+    if (set(rest_.of_member(s, member), label)) stack_.push_back({s, member});
+  }
+
+  void seed_from_segments(const Neighborhoods& n, const JoinedCuts& joined) {
+    for (const HalfPlane& h : n.half_planes) {
+      if (h.operand != operand_) continue;
+      const std::uint8_t label = label_(operand_, h.cls);
+      const CutSides& sides = joined.sides[h.carrier];
+      // Beside a cut the part is known; elsewhere only a face that was not divided.
+      if (n.carriers[h.carrier].cut)
+        set_loaded(brep_.face_of(h.forward ? sides.forward : sides.backward), label);
+      else if (!joined.divided[operand_][h.face])
+        set_loaded(h.face, label);
+    }
+  }
+
+  void spread() {
+    while (!stack_.empty()) {
+      const Pending next = stack_.back();
+      stack_.pop_back();
+      if (next.slot == loaded_slot)
+        spread_loaded(FaceId(next.member));
+      else if (rest_.is_touched(next.slot))
+        spread_face(next.slot, FaceId(next.member));
+      else
+        spread_piece(next.slot, next.member);
+    }
+  }
+
+  void spread_loaded(FaceId face) {
+    const std::uint8_t label = loaded_[face];
+    for_each_in_face(brep_, face, [&](HalfEdgeId h) {
+      const HalfEdgeId back = Brep::twin(h);
+      // Parts on both sides of a null edge touch in a point only.
+      if (patch_.is_null(h)) return;
+      const FaceId beyond = brep_.face_of(back);
+      switch (brep_.kind_of(beyond)) {
+        case FaceKind::real:
+          set_loaded(beyond, label);
+          break;
+        case FaceKind::null:
+          break;
+        case FaceKind::rest:
+          spread_to(patch_.half_edge_in_solid[back], label);
+          break;
+      }
+    });
+  }
+
+  void spread_to(HalfEdgeId in_solid, std::uint8_t label) {
+    const std::uint32_t s = solid().slot_of(in_solid);
+    set_rest(s, slot(s).block->brep.face_of(solid().local(s, in_solid)), label);
+  }
+
+  void spread_face(std::uint32_t s, FaceId face) {
+    const std::uint8_t label = rest_.of_member(s, face.value());
+    for_each_in_face(slot(s).block->brep, face, [&](HalfEdgeId h) { spread_across(s, h, label); });
+  }
+
+  // All faces of a piece have its label; it ends at the block's borders.
+  void spread_piece(std::uint32_t s, std::uint32_t piece) {
+    const std::uint8_t label = rest_.of_member(s, piece);
+    if (!slot(s).links) return;
+    const BorderLinks& links = *slot(s).links;
+    for (const BorderLinks::Neighbour& n : links.neighbours()) {
+      if (n.own_piece != piece) continue;
+      const std::uint32_t t = s + static_cast<std::uint32_t>(n.slots);
+      if (!rest_.is_touched(t))
+        set_member(t, n.piece, label);
+      else
+        for (const std::uint32_t border : links.borders(n))
+          spread_across(s, Brep::half_edge(EdgeId(border)), label);
+    }
+  }
+
+  void spread_across(std::uint32_t s, HalfEdgeId h, std::uint8_t label) {
+    const auto [t, beyond] = solid().across(s, h);
+    const FaceId face = slot(t).block->brep.face_of(beyond);
+    if (rest_.is_loaded(t, face))
+      set_loaded(brep_.face_of(Brep::twin(open_end(solid().half_edge(s, h)))), label);
+    else
+      set_rest(t, face, label);
+  }
+
+  // The loaded half-edge that stands for one of a face that is not loaded.
+  HalfEdgeId open_end(HalfEdgeId in_solid) { return HalfEdgeId(open_ends_[in_solid.value()]); }
+
+  void visit_untouched_shells() {
+    std::optional<FreePoints> points;
+    for (const FaceId f : loaded_.ids()) {
+      if (loaded_[f] != unknown || !patch_.is_real(f)) continue;
+      if (patch_.unbounded) {  // nothing meets the plane: no part of it is inside the solid
+        set_loaded(f, label_(operand_, Class::out));
+        continue;
+      }
+      if (!points) points.emplace(w_, contacts_, operand_);
+      set_loaded(f, label_of(points->on_shell_of(f)));
+      spread();
+    }
+    if (rest_.empty()) return;
+    for (std::uint32_t s = 0; s < solid().slots().size(); ++s)
+      for (std::uint32_t m = 0; m < rest_.count(s); ++m)
+        if (rest_.of_member(s, m) == unknown) settle_by_ray(s, m);
+  }
+
+  void settle_by_ray(std::uint32_t s, std::uint32_t member) {
+    const Brep& brep = slot(s).block->brep;
+    std::uint32_t f = member;
+    if (!rest_.is_touched(s)) {
+      f = 0;
+      while (slot(s).block->pieces().of_face[f] != member) ++f;
+    }
+    const HalfEdgeId h = brep.loop_half_edge[brep.outer_loop[f].value()];
+    const PointId p = load_point(slot(s).block->geometry, brep.point_of(brep.from(h)), w_.geometry);
+    w_.kernel->refresh();
+    set_rest(s, FaceId(f), label_of(p));
+    spread();
+  }
+
+  std::uint8_t label_of(PointId p) {
+    return label_(operand_, is_inside(w_, other(operand_), p) ? Class::in : Class::out);
+  }
+
+  // A loaded face, or a face or piece of a slot.
+  struct Pending {
+    std::uint32_t slot, member;
+  };
+  static constexpr std::uint32_t loaded_slot = 0xFFFFFFFFu;
+
+  Workspace& w_;
+  const Contacts& contacts_;
+  Operand operand_;
+  const LabelOf& label_;
+  const Patch& patch_;
+  const Brep& brep_;
+  Table<FaceId, std::uint8_t>& loaded_;
+  RestLabels& rest_;
+  IdMap open_ends_;
+  std::vector<Pending> stack_;
+};
+
+}  // namespace
+
+FaceLabels find_components(Workspace& w, const Contacts& contacts,
+                           const Neighborhoods& neighborhoods, const JoinedCuts& joined,
+                           const LabelOf& label_of) {
+  FaceLabels labels;
+  for (const Operand s : both_operands)
+    Labelling(w, contacts, s, label_of, labels).run(neighborhoods, joined);
+  return labels;
+}
+
+FaceLabels find_kept(Workspace& w, const Contacts& contacts, const Neighborhoods& neighborhoods,
+                     const JoinedCuts& joined, Operation operation) {
+  return find_components(w, contacts, neighborhoods, joined,
+                         [operation](Operand operand, Class c) -> std::uint8_t {
+                           return kept(operation, operand, c) ? 1 : 0;
+                         });
+}
+
+}  // namespace sectile

@@ -1,0 +1,92 @@
+#include "boolean/components/free_point.h"
+
+#include "boolean/line.h"
+#include "geometry/probe.h"
+#include "sectile/errors.h"
+
+namespace sectile {
+
+FreePoints::FreePoints(Workspace& w, const Contacts& contacts, Operand operand)
+    : w_(w),
+      operand_(operand),
+      patch_(w.patch[operand]),
+      brep_(patch_.brep),
+      seen_(brep_.face_count()),
+      vertex_in_contact_(brep_.vertex_count()),
+      edge_in_contact_(brep_.edge_count()) {
+  for (const Contact& c : contacts.contacts) {
+    const Entity mine = c.on[operand];
+    if (mine.is_vertex()) vertex_in_contact_[mine.vertex()] = 1;
+    if (mine.is_edge()) edge_in_contact_[mine.edge()] = 1;
+  }
+}
+
+PointId FreePoints::on_shell_of(FaceId start) {
+  std::vector<FaceId> front{start};
+  std::vector<EdgeId> edges;
+  seen_[start] = 1;
+  PointId found;
+  while (!front.empty() && !found.valid()) {
+    const FaceId face = front.back();
+    front.pop_back();
+    for_each_in_face(brep_, face, [&](HalfEdgeId h) {
+      const VertexId v = brep_.from(h);
+      edges.push_back(Brep::edge_of(h));
+      if (!vertex_in_contact_[v]) found = brep_.point_of(v);
+      const FaceId beyond = brep_.face_of(Brep::twin(h));
+      if (brep_.kind_of(beyond) == FaceKind::rest) {
+        if (!found.valid()) found = corner_beyond(patch_.half_edge_in_solid[Brep::twin(h)]);
+      } else if (patch_.is_real(beyond) && !seen_[beyond]) {
+        seen_[beyond] = 1;
+        front.push_back(beyond);
+      }
+    });
+  }
+  w_.kernel->refresh();
+  if (!found.valid()) found = within_an_edge(edges);
+  if (!found.valid()) throw InternalError("a shell lies on the other boundary without a contact");
+  return found;
+}
+
+// A corner, off the edge, of a face that is not loaded.
+PointId FreePoints::corner_beyond(HalfEdgeId in_solid) {
+  const SolidData& solid = *patch_.solid;
+  const std::uint32_t s = solid.slot_of(in_solid);
+  const Slot& slot = solid.slot(s);
+  const Brep& brep = slot.block->brep;
+  const HalfEdgeId h = solid.local(s, in_solid);
+  const VertexId across = slot.turned ? brep.to(brep.next_of(h)) : brep.from(brep.prev_of(h));
+  return load_point(slot.block->geometry, brep.point_of(across), w_.geometry);
+}
+
+// A shell may touch the other boundary in all of its vertices. Its edges then lead away from it,
+// and a plane across one of them gives a point that is free.
+PointId FreePoints::within_an_edge(std::vector<EdgeId>& edges) {
+  std::erase_if(edges, [&](EdgeId e) { return edge_in_contact_[e] != 0; });
+  for (const EdgeId e : edges) {
+    const HalfEdgeId h = Brep::half_edge(e);
+    const PointId from = brep_.point_of(brep_.from(h)), to = brep_.point_of(brep_.to(h));
+    for (int axis = 0; axis < 3; ++axis) {
+      const PlaneId across = plane_between(from, to, axis);
+      if (w_.tests().side(from, across) * w_.tests().side(to, across) != Sign::negative) continue;
+      const Construction how = edge_plane_construction(w_, operand_, h, across);
+      const PointId made = add_constructed(w_.geometry, how, w_.tests().construct(how));
+      w_.kernel->refresh();
+      return made;
+    }
+  }
+  return {};
+}
+
+PlaneId FreePoints::plane_between(PointId from, PointId to, int axis) {
+  const Vec3 &p = w_.geometry.position(from), &q = w_.geometry.position(to);
+  const double middle[3] = {p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2};
+  double normal[3] = {0, 0, 0};
+  normal[axis] = 1;
+  const PlaneId made =
+      w_.geometry.add_plane(PlaneCoefficients{normal[0], normal[1], normal[2], -middle[axis]});
+  w_.kernel->refresh();
+  return made;
+}
+
+}  // namespace sectile

@@ -1,0 +1,32 @@
+// A point of a shell that is not on the other boundary.
+#pragma once
+
+#include <vector>
+
+#include "boolean/reduction/reduction.h"
+
+namespace sectile {
+
+/// Walks over the loaded faces of one operand, over each once.
+class FreePoints {
+ public:
+  FreePoints(Workspace& w, const Contacts& contacts, Operand operand);
+
+  /// Of the shell to which a loaded face belongs. Adds points, maybe planes, to the geometry.
+  PointId on_shell_of(FaceId face);
+
+ private:
+  PointId corner_beyond(HalfEdgeId in_solid);
+  PointId within_an_edge(std::vector<EdgeId>& edges);
+  PlaneId plane_between(PointId from, PointId to, int axis);
+
+  Workspace& w_;
+  Operand operand_;
+  const Patch& patch_;
+  const Brep& brep_;
+  Table<FaceId, std::uint8_t> seen_;
+  Table<VertexId, std::uint8_t> vertex_in_contact_;
+  Table<EdgeId, std::uint8_t> edge_in_contact_;
+};
+
+}  // namespace sectile

@@ -1,0 +1,63 @@
+#include "boolean/components/point_in_solid.h"
+
+#include "sectile/errors.h"
+#include "storage/face_query.h"
+
+namespace sectile {
+namespace {
+
+// The ray runs in direction +x. In the projection to (y, z) the point is taken to be moved by
+// (+ε, -δ) with δ far greater than ε, so that it lies on no projected edge or vertex: an edge that
+// ends level with it counts as below, an edge through it as above.
+class RayTest {
+ public:
+  RayTest(const Kernel& kernel, const Brep& brep, PointId point)
+      : kernel_(kernel), brep_(brep), point_(point) {}
+
+  bool crosses(FaceId face) const {
+    bool odd = false;
+    for_each_in_face(brep_, face, [&](HalfEdgeId h) {
+      const PointId u = brep_.point_of(brep_.from(h)), v = brep_.point_of(brep_.to(h));
+      const bool above_u = kernel_.compare(point_, u, 1) == Sign::positive;
+      const bool above_v = kernel_.compare(point_, v, 1) == Sign::positive;
+      if (above_u == above_v) return;
+      // With y to the right and z up: an edge to the right passes above what is on its right.
+      const Sign turn = kernel_.turn(u, v, point_, 0);
+      if (turn == Sign::zero || (turn == Sign::negative) == above_v) odd = !odd;
+    });
+    if (!odd) return false;
+    const PlaneId plane = brep_.plane[face.value()];
+    const Sign side = kernel_.side(point_, plane);
+    if (side == Sign::zero) throw InternalError("a ray starts on the boundary");
+    return side == -kernel_.normal(plane, 0);
+  }
+
+ private:
+  const Kernel& kernel_;
+  const Brep& brep_;
+  PointId point_;
+};
+
+}  // namespace
+
+bool is_inside(Workspace& w, Operand operand, PointId point) {
+  const Patch& patch = w.patch[operand];
+  if (patch.unbounded) return w.tests().side(point, patch.plane(FaceId(0))) == Sign::negative;
+  const SolidData& solid = *patch.solid;
+  const Vec3 p = w.geometry.position(point);
+  const auto meets = [&](const Box& b) {
+    return b.high[0] >= p.x && b.low[1] <= p.y && p.y <= b.high[1] && b.low[2] <= p.z &&
+           p.z <= b.high[2];
+  };
+  if (solid.slot_tree().empty() || !solid.slot_tree().bounds().contains(p)) return false;
+  std::vector<FaceId> faces = faces_where(solid, meets);
+  const Patch hit = load_patch(*patch.solid, faces, w.geometry);
+  w.kernel->refresh();
+  const RayTest ray(w.tests(), hit.brep, point);
+  bool inside = false;
+  for (std::size_t f = 0; f < hit.loaded_faces; ++f)
+    if (ray.crosses(FaceId(f))) inside = !inside;
+  return inside;
+}
+
+}  // namespace sectile

@@ -1,0 +1,351 @@
+#include "boolean/gluing/gluing.h"
+
+#include <memory>
+
+#include "sectile/errors.h"
+#include "storage/geometry_loader.h"
+#include "topology/vertex_cycles.h"
+
+namespace sectile {
+namespace {
+
+constexpr std::uint32_t loaded = 0xFFFFFFFFu;  // instead of a slot
+
+// A half-edge of one of the sources: of a loaded patch, or of a block.
+struct SourceHalfEdge {
+  Operand operand;
+  std::uint32_t slot;
+  HalfEdgeId h;
+};
+
+class Gluer {
+ public:
+  Gluer(const Workspace& w, Operation operation, const FaceLabels& kept)
+      : w_(w),
+        operation_(operation),
+        kept_(kept),
+        brep_(glued_.brep),
+        local_(w.geometry, glued_.geometry, w.geometry.positions.size()) {
+    for (const Operand s : both_operands) {
+      partner_[s].resize(w.patch[s].brep.half_edge_count(), {Operand::a, loaded, HalfEdgeId()});
+      made_loaded_[s].resize(w.patch[s].brep.half_edge_count());
+      share_blocks(s);
+    }
+  }
+
+  void pair_sides(const Neighborhoods& n, std::span<const WedgePair> wedges,
+                  const JoinedCuts& joined) {
+    for (const WedgePair& pair : wedges) {
+      const HalfPlane &p = n.half_planes[pair.first], &q = n.half_planes[pair.second];
+      if (!n.carriers[p.carrier].cut) continue;  // both sides of one face or edge
+      const HalfEdgeId g = side_half_edge(p, joined), h = side_half_edge(q, joined);
+      partner_[p.operand][g] = {q.operand, loaded, h};
+      partner_[q.operand][h] = {p.operand, loaded, g};
+    }
+  }
+
+  Glued run() {
+    reserve();
+    for_each_kept_face([&](const Source& from, FaceId f) { add_outside_edges(from, f); });
+    for_each_kept_face([&](const Source& from, FaceId f) { add_face(from, f); });
+    fix_edge_planes();
+    close_open_ends();
+    check_faces();
+    make_vertices(brep_, start_);
+    return std::move(glued_);
+  }
+
+ private:
+  // What is made anew of a block: the faces that stay and are not loaded.
+  struct Copied {
+    Copied(const Block& block, Geometry& to)
+        : geometry(block.geometry, to, 2 * block.brep.face_count()),
+          made(block.brep.half_edge_count()) {}
+    GeometryLoader geometry;
+    Table<HalfEdgeId, HalfEdgeId> made;  // of the block
+  };
+
+  // Faces of one kind, and how they are read.
+  struct Source {
+    Operand operand;
+    std::uint32_t slot;
+    const Brep& brep;
+    GeometryLoader& geometry;
+    bool turned;
+  };
+
+  bool turns(Operand s) const { return reversed(operation_, s); }
+
+  void share_blocks(Operand s) {
+    first_slot_[s] = static_cast<std::uint32_t>(glued_.slots.size());
+    const RestLabels& rest = kept_.rest[s];
+    if (rest.empty()) return;
+    const SolidData& solid = *w_.patch[s].solid;
+    copied_[s].resize(solid.slots().size());
+    glued_.slots.resize(first_slot_[s] + solid.slots().size());
+    for (std::uint32_t t = 0; t < solid.slots().size(); ++t) {
+      const auto [stay, all] = how_many_stay(rest, t);
+      if (stay == 0) continue;
+      const Slot& slot = solid.slot(t);
+      const bool turned = slot.turned != turns(s);
+      if (stay == all && !rest.is_touched(t) && slot.block->brep.face_count() >= few_faces)
+        glued_.slots[first_slot_[s] + t] = {slot.block, slot.links, turned};
+      else
+        copied_[s][t] = std::make_unique<Copied>(*slot.block, glued_.geometry);
+    }
+  }
+
+  static std::pair<std::uint32_t, std::uint32_t> how_many_stay(const RestLabels& rest,
+                                                               std::uint32_t slot) {
+    std::uint32_t stay = 0;
+    for (std::uint32_t m = 0; m < rest.count(slot); ++m) stay += rest.of_member(slot, m) == 1;
+    return {stay, rest.count(slot)};
+  }
+
+  template <class Visit>
+  void for_each_kept_face(const Visit& visit) {
+    for (const Operand s : both_operands) {
+      const Source patch{s, loaded, w_.patch[s].brep, local_, turns(s)};
+      for (const FaceId f : kept_.loaded[s].ids())
+        if (kept_.loaded[s][f]) visit(patch, f);
+      for (std::uint32_t t = 0; t < copied_[s].size(); ++t) {
+        if (!copied_[s][t]) continue;
+        const Slot& slot = w_.patch[s].solid->slot(t);
+        const Source block{s, t, slot.block->brep, copied_[s][t]->geometry,
+                           slot.turned != turns(s)};
+        for (std::size_t f = 0; f < block.brep.face_count(); ++f)
+          if (kept_.rest[s].label(t, FaceId(f)) == 1) visit(block, FaceId(f));
+      }
+    }
+  }
+
+  // For each corner of a face there will be a half-edge.
+  void reserve() {
+    std::size_t half_edges = 0, faces = 0;
+    for_each_kept_face([&](const Source& from, FaceId f) {
+      ++faces;
+      for_each_in_face(from.brep, f, [&](HalfEdgeId) { ++half_edges; });
+    });
+    const std::size_t edges = half_edges / 2;
+    brep_.reserve(edges, faces, edges > faces ? edges - faces + 2 : 2);
+    start_.reserve(half_edges);
+  }
+
+  // The half-edge of a kept face that borders a side of a carrier.
+  static HalfEdgeId side_half_edge(const HalfPlane& plane, const JoinedCuts& joined) {
+    const CutSides& sides = joined.sides[plane.carrier];
+    return plane.forward ? sides.forward : sides.backward;
+  }
+
+  HalfEdgeId& made(const SourceHalfEdge& e) {
+    if (e.slot == loaded) return made_loaded_[e.operand][e.h];
+    if (!copied_[e.operand][e.slot]) throw InternalError("an edge of the result has only one face");
+    return copied_[e.operand][e.slot]->made[e.h];
+  }
+
+  SourceHalfEdge in_slot(Operand s, HalfEdgeId in_solid) const {
+    const SolidData& solid = *w_.patch[s].solid;
+    const std::uint32_t slot = solid.slot_of(in_solid);
+    return {s, slot, solid.local(slot, in_solid)};
+  }
+
+  SourceHalfEdge mate(const SourceHalfEdge& e, bool& seam) const {
+    const Patch& patch = w_.patch[e.operand];
+    if (e.slot != loaded) {
+      const auto beyond = patch.solid->across(e.slot, e.h);
+      return {e.operand, beyond.slot, beyond.local};
+    }
+    const SourceHalfEdge& partner = partner_[e.operand][e.h];
+    if (partner.h.valid()) {
+      seam = true;
+      return partner;
+    }
+    const HalfEdgeId back = Brep::twin(e.h);
+    const FaceKind beyond = patch.brep.kind_of(patch.brep.face_of(back));
+    if (beyond == FaceKind::null) throw InternalError("a kept side of a cut has no partner");
+    if (beyond == FaceKind::real) return {e.operand, loaded, back};
+    return in_slot(e.operand, patch.half_edge_in_solid[back]);
+  }
+
+  bool is_shared(const SourceHalfEdge& e) const {
+    return e.slot != loaded && !glued_.slots[first_slot_[e.operand] + e.slot].empty();
+  }
+
+  HalfEdgeId add_edge(const SourceHalfEdge& e) {
+    const HalfEdgeId id = made(e) = HalfEdgeId(brep_.half_edge_count());
+    const std::size_t count = brep_.half_edge_count() + 2;
+    brep_.origin.resize(count);
+    brep_.next.resize(count);
+    brep_.prev.resize(count);
+    brep_.loop.resize(count);
+    start_.resize(count);
+    return id;
+  }
+
+  // Edges to shared blocks come first.
+  void add_outside_edges(const Source& from, FaceId face) {
+    if (glued_.slots.empty()) return;
+    for_each_in_face(from.brep, face, [&](HalfEdgeId h) {
+      const SourceHalfEdge e{from.operand, from.slot, h};
+      bool seam = false;
+      if (is_null_edge(from, h)) return;
+      const SourceHalfEdge other = mate(e, seam);
+      if (!is_shared(other)) return;
+      const HalfEdgeId id = add_edge(e);
+      const Block& beyond = *glued_.slots[first_slot_[other.operand] + other.slot].block;
+      glued_.outside.push_back({first_slot_[other.operand] + other.slot, other.h.value() / 2,
+                                beyond.pieces().of_face[beyond.brep.face_of(other.h).value()]});
+      keep_edge_plane(from, h, Brep::edge_of(id));
+    });
+  }
+
+  HalfEdgeId make(const Source& from, HalfEdgeId h) {
+    const SourceHalfEdge e{from.operand, from.slot, h};
+    if (const HalfEdgeId known = made(e); known.valid()) return known;
+    const HalfEdgeId id = add_edge(e);
+    bool seam = false;
+    made(mate(e, seam)) = Brep::twin(id);
+    if (seam) glued_.seams.push_back(Brep::edge_of(id));
+    keep_edge_plane(from, h, Brep::edge_of(id));
+    return id;
+  }
+
+  void keep_edge_plane(const Source& from, HalfEdgeId h, EdgeId made_edge) {
+    const PlaneId plane = from.brep.extra_plane(Brep::edge_of(h));
+    if (plane.valid()) set_edge_plane(made_edge, from.geometry.plane(plane));
+  }
+
+  void set_edge_plane(EdgeId e, PlaneId plane) {
+    if (brep_.edge_plane.size() <= e.value()) brep_.edge_plane.resize(e.value() + 1);
+    brep_.edge_plane[e.value()] = plane;
+  }
+
+  // Seams between coplanar faces need a plane that pins them down.
+  void fix_edge_planes() {
+    for (const Operand s : both_operands)
+      for (const HalfEdgeId h : partner_[s].ids()) {
+        const SourceHalfEdge& other = partner_[s][h];
+        const HalfEdgeId id = made_loaded_[s][h];
+        if (!other.h.valid() || !id.valid() || id != Brep::half_edge(Brep::edge_of(id))) continue;
+        const PlaneId p = w_.patch[s].brep.plane_of(h);
+        const PlaneId q = w_.patch[other.operand].brep.plane_of(other.h);
+        if (w_.tests().parallel(p, q))
+          set_edge_plane(Brep::edge_of(id), local_.plane(w_.patch[s].side(h)));
+        else if (!brep_.edge_plane.empty() && Brep::edge_of(id).value() < brep_.edge_plane.size())
+          brep_.edge_plane[Brep::edge_of(id).value()] = PlaneId();
+      }
+    if (!brep_.edge_plane.empty()) brep_.edge_plane.resize(brep_.edge_count());
+  }
+
+  static bool is_null_edge(const Source& from, HalfEdgeId h) {
+    return from.slot == loaded &&
+           from.brep.point_of(from.brep.from(h)) == from.brep.point_of(from.brep.to(h));
+  }
+
+  FaceId add_face(PlaneId plane, FaceSource source) {
+    brep_.plane.push_back(plane);
+    brep_.source.push_back(source);
+    brep_.outer_loop.push_back(LoopId());
+    return FaceId(brep_.face_count() - 1);
+  }
+
+  void add_face(const Source& from, FaceId face) {
+    const FaceId here = add_face(from.geometry.plane(from.brep.plane[face.value()], from.turned),
+                                 from.brep.source[face.value()]);
+    LoopId last;
+    for (LoopId l = from.brep.outer_loop[face.value()]; l.valid();
+         l = from.brep.next_loop[l.value()]) {
+      chain_.clear();
+      for_each_in_loop(from.brep, l, [&](HalfEdgeId h) {
+        if (!is_null_edge(from, h)) chain_.push_back(h);
+      });
+      if (!chain_.empty()) add_loop(from, here, last);
+    }
+  }
+
+  LoopId add_loop(FaceId face, LoopId& last) {
+    const LoopId loop(brep_.loop_count());
+    brep_.loop_face.push_back(face);
+    brep_.next_loop.push_back(LoopId());
+    brep_.loop_half_edge.push_back(HalfEdgeId());
+    (last.valid() ? brep_.next_loop[last.value()] : brep_.outer_loop[face.value()]) = loop;
+    return last = loop;
+  }
+
+  void add_loop(const Source& from, FaceId face, LoopId& last) {
+    const LoopId loop = add_loop(face, last);
+    HalfEdgeId before, first;
+    for (std::size_t i = 0; i < chain_.size(); ++i) {
+      const HalfEdgeId h = from.turned ? chain_[chain_.size() - 1 - i] : chain_[i];
+      const HalfEdgeId id = make(from, h);
+      start_[id.value()] = from.geometry.point(
+          from.brep.point_of(from.turned ? from.brep.to(h) : from.brep.from(h)));
+      brep_.loop[id.value()] = loop;
+      if (before.valid()) {
+        brep_.next[before.value()] = id;
+        brep_.prev[id.value()] = before;
+      } else {
+        first = id;
+      }
+      before = id;
+    }
+    brep_.next[before.value()] = first;
+    brep_.prev[first.value()] = before;
+    brep_.loop_half_edge[loop.value()] = first;
+  }
+
+  // As in a patch: what is shared is stood for by faces of kind `rest`, which close the structure.
+  void close_open_ends() {
+    const IdRange<EdgeId> open(EdgeId(0), EdgeId(glued_.outside.size()));
+    if (open.empty()) return;
+    brep_.kind.assign(brep_.face_count(), FaceKind::real);
+    for (const EdgeId e : open) {
+      const HalfEdgeId h = Brep::half_edge(e, 1);
+      HalfEdgeId after = Brep::twin(h);
+      do after = Brep::twin(brep_.prev_of(after));
+      while (brep_.loop[after.value()].valid());
+      brep_.next[h.value()] = after;
+      brep_.prev[after.value()] = h;
+      start_[after.value()] = start_[brep_.next_of(Brep::twin(after)).value()];
+    }
+    for (const EdgeId e : open) {
+      const HalfEdgeId first = Brep::half_edge(e, 1);
+      if (brep_.loop[first.value()].valid()) continue;
+      LoopId last;
+      const LoopId loop = add_loop(add_face(PlaneId(), FaceSource{}), last);
+      brep_.kind.push_back(FaceKind::rest);
+      brep_.loop_half_edge[loop.value()] = first;
+      for (HalfEdgeId h = first; !brep_.loop[h.value()].valid(); h = brep_.next_of(h))
+        brep_.loop[h.value()] = loop;
+    }
+  }
+
+  void check_faces() const {
+    for (const LoopId l : brep_.loop)
+      if (!l.valid()) throw InternalError("an edge of the result has only one face");
+  }
+
+  const Workspace& w_;
+  Operation operation_;
+  const FaceLabels& kept_;
+  Glued glued_;
+  Brep& brep_;
+  GeometryLoader local_;  // of the workspace
+  PerOperand<std::uint32_t> first_slot_;
+  PerOperand<std::vector<std::unique_ptr<Copied>>> copied_;  // per slot
+  PerOperand<Table<HalfEdgeId, SourceHalfEdge>> partner_;
+  PerOperand<Table<HalfEdgeId, HalfEdgeId>> made_loaded_;
+  std::vector<PointId> start_;  // per half-edge of the result
+  std::vector<HalfEdgeId> chain_;
+};
+
+}  // namespace
+
+Glued glue(const Workspace& w, Operation operation, const Neighborhoods& neighborhoods,
+           std::span<const WedgePair> wedges, const JoinedCuts& joined, const FaceLabels& kept) {
+  Gluer gluer(w, operation, kept);
+  gluer.pair_sides(neighborhoods, wedges, joined);
+  return gluer.run();
+}
+
+}  // namespace sectile

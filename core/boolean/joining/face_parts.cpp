@@ -1,0 +1,254 @@
+#include "boolean/joining/face_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "boolean/ray_count.h"
+#include "boolean/reduction/standing.h"
+#include "geometry/axes.h"
+#include "geometry/loop_area.h"
+#include "sectile/errors.h"
+#include "topology/euler.h"
+
+namespace sectile {
+namespace {
+
+// Settles the parts of one loaded face at a time.
+class PartSettler {
+ public:
+  PartSettler(Workspace& w, Operand operand)
+      : w_(w), kernel_(w.tests()), patch_(w.patch[operand]), brep_(patch_.brep) {}
+
+  void settle(FaceId root, std::vector<FaceId>& faces) {
+    root_ = root;
+    find_loops(faces);
+    // The face of a half-space has a part without an outer loop, which reaches to infinity.
+    if (outer_.size() + (patch_.unbounded ? 1 : 0) != faces.size())
+      throw InternalError("the parts of a cut face do not fit together");
+    std::vector<LoopId> part_of_inner;
+    const bool single = outer_.size() == 1 && !patch_.unbounded;
+    for (const LoopId l : inner_) part_of_inner.push_back(single ? outer_[0] : around(l));
+    for (const FaceId f : faces) brep_.outer_loop[f.value()] = LoopId();
+    for (const LoopId l : outer_) brep_.next_loop[l.value()] = LoopId();
+    for (const LoopId l : inner_) brep_.next_loop[l.value()] = LoopId();
+    place_outer(faces);
+    for (std::size_t i = 0; i < inner_.size(); ++i) {
+      const LoopId part = part_of_inner[i];
+      Euler(brep_).move_loop(inner_[i], part.valid() ? brep_.loop_face[part.value()] : endless_,
+                             false);
+    }
+  }
+
+ private:
+  void find_loops(const std::vector<FaceId>& faces) {
+    outer_.clear();
+    inner_.clear();
+    for (const FaceId f : faces)
+      for (LoopId l = brep_.outer_loop[f.value()]; l.valid(); l = brep_.next_loop[l.value()])
+        if (brep_.loop_half_edge[l.value()].valid()) (turns_left(l) ? outer_ : inner_).push_back(l);
+  }
+
+  bool turns_left(LoopId l) {
+    collect_points(l);
+    return points_.size() > 2 && is_counter_clockwise(kernel_, patch_.plane(root_), points_);
+  }
+
+  Estimate area_of(LoopId l) {
+    collect_points(l);
+    const int k = kernel_.main_axis(patch_.plane(root_));
+    return estimated_area(w_.geometry, points_, (k + 1) % 3, (k + 2) % 3);
+  }
+
+  void collect_points(LoopId l) {
+    points_.clear();
+    for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
+      const PointId p = brep_.point_of(brep_.from(h));
+      if (points_.empty() || points_.back() != p) points_.push_back(p);
+    });
+    if (points_.size() > 1 && points_.back() == points_.front()) points_.pop_back();
+  }
+
+  // Loops stay with their face where possible.
+  void place_outer(const std::vector<FaceId>& faces) {
+    std::vector<LoopId> homeless;
+    for (const LoopId l : outer_) {
+      const FaceId f = brep_.loop_face[l.value()];
+      if (brep_.outer_loop[f.value()].valid())
+        homeless.push_back(l);
+      else
+        Euler(brep_).move_loop(l, f, true);
+    }
+    for (const FaceId f : faces) {
+      if (brep_.outer_loop[f.value()].valid()) continue;
+      if (homeless.empty()) {
+        endless_ = f;
+        continue;
+      }
+      Euler(brep_).move_loop(homeless.back(), f, true);
+      homeless.pop_back();
+    }
+  }
+
+  // The innermost of the outer loops that surround an inner one.
+  LoopId around(LoopId inner) {
+    build_trees();
+    const HalfEdgeId any = brep_.loop_half_edge[inner.value()];
+    const Vec3& at = w_.geometry.position(brep_.point_of(brep_.from(any)));
+    std::uint32_t innermost = none;
+    loop_tree_.query([&](const Box& b) { return b.contains(at); },
+                     [&](std::uint32_t i) {
+                       if (surrounds(i, inner) && (innermost == none || is_within(i, innermost)))
+                         innermost = i;
+                     });
+    if (innermost != none) return outer_[innermost];
+    if (!patch_.unbounded) throw InternalError("an inner loop lies in no part of its face");
+    return {};
+  }
+
+  // Loops do not cross, so one point of a loop tells for all, or, if all are on the outer loop, one
+  // edge that leads away from it.
+  bool surrounds(std::uint32_t outer, LoopId loop) const {
+    bool decided = false, inside = false;
+    const auto by_point = [&](HalfEdgeId h) {
+      if (decided) return;
+      const PointId p = brep_.point_of(brep_.from(h));
+      const Probe probe(kernel_, p);
+      RayCount count(kernel_, patch_, patch_.plane(root_), probe);
+      count_crossings(outer, w_.geometry.position(p), count);
+      if (!count.touched().empty()) return;
+      decided = true;
+      inside = count.odd();
+    };
+    const auto by_direction = [&](HalfEdgeId h) {
+      if (decided || !patch_.side(h).valid()) return;
+      const PointId p = brep_.point_of(brep_.from(h));
+      const Probe probe(kernel_, p);
+      RayCount count(kernel_, patch_, patch_.plane(root_), probe);
+      count_crossings(outer, w_.geometry.position(p), count);
+      const Standing::Where where = standing_of(h, outer_[outer], count.touched());
+      if (where == Standing::Where::along) return;
+      decided = true;
+      inside = where == Standing::Where::inside;
+    };
+    for_each_in_loop(brep_, loop, by_point);
+    if (!decided) for_each_in_loop(brep_, loop, by_direction);
+    return inside;
+  }
+
+  Standing::Where standing_of(HalfEdgeId h, LoopId outer,
+                              const std::vector<Entity>& touched) const {
+    std::vector<BoundaryItem> items;
+    for (const Entity entity : touched) {
+      const auto add = [&](HalfEdgeId i) {
+        if (brep_.loop_of(i) == outer) items.push_back({entity, i});
+      };
+      if (entity.is_edge()) {
+        add(Brep::half_edge(entity.edge(), 0));
+        add(Brep::half_edge(entity.edge(), 1));
+      } else {
+        for_each_around(brep_, brep_.vertex_half_edge[entity.vertex().value()], add);
+      }
+    }
+    if (items.empty()) return Standing::Where::along;
+    return standing(kernel_, patch_, brep_.loop_face[outer.value()], items,
+                    direction_of(kernel_, patch_, h))
+        .where;
+  }
+
+  // Of two outer loops around one point: is the first one within the second?
+  bool is_within(std::uint32_t first, std::uint32_t second) const {
+    const Estimate a = areas_[first], b = areas_[second];
+    const double larger = std::abs(b.value) - std::abs(a.value);
+    if (std::abs(larger) > a.error + b.error) return larger > 0;
+    return surrounds(second, outer_[first]);
+  }
+
+  void count_crossings(std::uint32_t outer, const Vec3& at, RayCount& count) const {
+    const int i = count.i(), j = count.j();
+    const auto meets = [&](const Box& b) {
+      return b.low[j] <= component(at, j) && component(at, j) <= b.high[j] &&
+             b.high[i] >= component(at, i);
+    };
+    const std::uint32_t first = outer == 0 ? 0 : outer_end_[outer - 1];
+    if (const BoxTree* tree = edge_trees_[outer].get()) {
+      tree->query(meets, [&](std::uint32_t item) { count.add(outer_edges_[first + item]); });
+      return;
+    }
+    for (std::uint32_t e = first; e < outer_end_[outer]; ++e)
+      if (meets(edge_box(outer_edges_[e]))) count.add(outer_edges_[e]);
+  }
+
+  Box edge_box(HalfEdgeId h) const {
+    Bounds edge;
+    edge.add(w_.geometry.position(brep_.point_of(brep_.from(h))));
+    edge.add(w_.geometry.position(brep_.point_of(brep_.to(h))));
+    return edge.box();
+  }
+
+  void build_trees() {
+    if (tree_root_ == root_) return;
+    tree_root_ = root_;
+    outer_edges_.clear();
+    outer_end_.clear();
+    edge_trees_.clear();
+    areas_.clear();
+    std::vector<Box> loop_boxes, edge_boxes;
+    for (const LoopId l : outer_) {
+      edge_boxes.clear();
+      Box all;
+      for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
+        if (!patch_.side(h).valid()) return;  // a null edge
+        outer_edges_.push_back(h);
+        edge_boxes.push_back(edge_box(h));
+        all.add(edge_boxes.back());
+      });
+      loop_boxes.push_back(all);
+      areas_.push_back(area_of(l));
+      outer_end_.push_back(static_cast<std::uint32_t>(outer_edges_.size()));
+      edge_trees_.push_back(edge_boxes.size() < many_edges ? nullptr
+                                                           : std::make_unique<BoxTree>(edge_boxes));
+    }
+    loop_tree_ = BoxTree(loop_boxes);
+  }
+
+  static constexpr std::size_t many_edges = 24;
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+  Workspace& w_;
+  const Kernel& kernel_;
+  Patch& patch_;
+  Brep& brep_;
+  FaceId root_, tree_root_, endless_;
+  std::vector<LoopId> outer_, inner_;
+  std::vector<PointId> points_;
+  BoxTree loop_tree_;  // over the outer loops
+  std::vector<HalfEdgeId> outer_edges_;
+  std::vector<std::uint32_t> outer_end_;              // per outer loop: end of its edges
+  std::vector<Estimate> areas_;                       // per outer loop
+  std::vector<std::unique_ptr<BoxTree>> edge_trees_;  // per outer loop, if it has many edges
+};
+
+}  // namespace
+
+void settle_face_parts(Workspace& w, const PerOperand<Table<FaceId, std::uint8_t>>& divided) {
+  for (const Operand s : both_operands) {
+    const Patch& patch = w.patch[s];
+    // The parts of each divided face, in the order of their roots.
+    std::vector<FaceId> parts;
+    for (const FaceId f : patch.root.ids())
+      if (divided[s][patch.root_of(f)] && patch.is_real(f)) parts.push_back(f);
+    std::stable_sort(parts.begin(), parts.end(),
+                     [&](FaceId f, FaceId g) { return patch.root_of(f) < patch.root_of(g); });
+    PartSettler settler(w, s);
+    std::vector<FaceId> faces;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      faces.push_back(parts[i]);
+      const FaceId root = patch.root_of(parts[i]);
+      if (i + 1 < parts.size() && patch.root_of(parts[i + 1]) == root) continue;
+      settler.settle(root, faces);
+      faces.clear();
+    }
+  }
+}
+
+}  // namespace sectile

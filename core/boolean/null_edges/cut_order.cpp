@@ -1,0 +1,247 @@
+#include "boolean/null_edges/cut_order.h"
+
+#include <algorithm>
+#include <span>
+
+#include "boolean/direction.h"
+#include "sectile/errors.h"
+
+namespace sectile {
+namespace {
+
+// Where a cut leaves a site: after the `turn`-th half-edge around its vertex, in the sector there.
+struct Leaving {
+  OrderedEnd end;
+  std::uint32_t turn = 0;
+  int rank = 1;  // 0: beside the corner's first edge, 1: within the sector, 2: beside the last
+  Direction direction;  // within the face, for rank 1
+};
+
+// The corners of several vertices, to be found by their face.
+class Corners {
+ public:
+  void collect(const Patch& patch, std::span<const VertexId> vertices) {
+    corners_.clear();
+    for (const VertexId v : vertices)
+      for_each_around(patch.brep, patch.brep.vertex_half_edge[v.value()], [&](HalfEdgeId h) {
+        if (!patch.is_null(h))
+          corners_.push_back(
+              {patch.brep.face_of(h), static_cast<std::uint32_t>(corners_.size()), h});
+      });
+    std::sort(corners_.begin(), corners_.end());
+  }
+
+  // Calls visit(corner) for those of a face, in the order in which they were collected.
+  template <class Visit>
+  void for_each_of(FaceId face, const Visit& visit) const {
+    auto at = std::partition_point(corners_.begin(), corners_.end(),
+                                   [&](const Corner& c) { return c.face < face; });
+    for (; at != corners_.end() && at->face == face; ++at) visit(at->h);
+  }
+
+ private:
+  struct Corner {
+    FaceId face;
+    std::uint32_t number;
+    HalfEdgeId h;
+    friend auto operator<=>(const Corner&, const Corner&) = default;
+  };
+  std::vector<Corner> corners_;
+};
+
+class Ordering {
+ public:
+  Ordering(const Workspace& w, const Contacts& contacts, const Neighborhoods& n,
+           const CutPlan& plan, const SiteVertices& vertices)
+      : w_(w),
+        kernel_(w.tests()),
+        contacts_(contacts),
+        n_(n),
+        plan_(plan),
+        vertices_(vertices),
+        along_(n.carriers.size()) {}
+
+  CutOrder run(const SitesByPlace& places) {
+    for (const Segment& segment : n_.segments)
+      for (const CarrierId c : segment.carriers)
+        along_[c] = direction_along(segment, n_.carriers[c]);
+    leaving_.reserve(plan_.ends.size());
+    places.for_each([&](std::span<const SiteId> sites) { leave_place(sites); });
+    group_by_site();
+    for (const SiteId s : order_.at.ids()) {
+      w_.check_cancelled();
+      sort(s);
+    }
+    order_.ends.reserve(leaving_.size());
+    for (const Leaving& l : leaving_) order_.ends.add(l.end);
+    return std::move(order_);
+  }
+
+ private:
+  // The half-edge of a carrier that is an edge, from whichever end its even half-edge reaches
+  // first.
+  HalfEdgeId first_half_edge(CarrierId id) const {
+    const Carrier& c = n_.carriers[id];
+    const unsigned start = c.along ? 0 : 1;
+    return c.end[start].is_vertex()
+               ? Brep::half_edge(c.entity.edge())
+               : vertices_[plan_.ends[plan_.of_carrier[id][start]].site].forward;
+  }
+
+  // The direction of a segment within a face that it cuts.
+  Direction direction_along(const Segment& segment, const Carrier& c) const {
+    if (!c.cut || !c.entity.is_face()) return {};
+    const PlaneId plane = w_.patch[c.operand].plane(c.entity.face());
+    const PlaneId across =
+        kernel_.parallel(plane, segment.plane[0]) ? segment.plane[1] : segment.plane[0];
+    return direction_between(kernel_, plane, across, contacts_.point(segment.place[0]),
+                             contacts_.point(segment.place[1]));
+  }
+
+  void leave_place(std::span<const SiteId> sites) {
+    patch_ = &w_.patch[plan_.sites[sites[0]].operand];
+    sites_here_.clear();
+    vertices_here_.clear();
+    for (const SiteId s : sites) {
+      if (plan_.sites[s].entity.is_face()) continue;
+      sites_here_.push_back({vertices_[s].vertex, s});
+      vertices_here_.push_back(vertices_[s].vertex);
+    }
+    std::sort(sites_here_.begin(), sites_here_.end());
+    corners_known_ = false;
+    for (const SiteId s : sites)
+      for (const PlannedEndId end : plan_.sites[s].ends) leaving_.push_back(leave(s, end));
+  }
+
+  Leaving leave(SiteId site, PlannedEndId id) {
+    const PlannedEnd& end = plan_.ends[id];
+    const Carrier& c = n_.carriers[end.carrier];
+    Leaving l{{id, site, {}}, 0, 1, {}};
+    if (c.entity.is_edge()) {
+      const HalfEdgeId h = first_half_edge(end.carrier);
+      const bool at_start = (end.which == 0) == c.along;
+      l.rank = at_start ? 0 : 2;
+      l.end.corner = at_start ? h : next_with_length(patch_->brep, h);
+    } else {
+      const Direction along = along_[end.carrier];
+      l.direction = end.which == 0 ? along : -along;
+      if (plan_.sites[site].entity.is_face()) return l;
+      l.end.corner = corner_of(c.entity.face(), l.direction);
+    }
+    const VertexId from = patch_->brep.from(l.end.corner);
+    if (from != vertices_[site].vertex) l.end.site = site_with(from);
+    return l;
+  }
+
+  // Where a face touches itself, the corner may be that of another vertex at the place.
+  SiteId site_with(VertexId v) const {
+    const auto at = std::partition_point(sites_here_.begin(), sites_here_.end(),
+                                         [&](const auto& known) { return known.first < v; });
+    if (at == sites_here_.end() || at->first != v)
+      throw InternalError("a cut leaves a vertex that was not prepared for it");
+    return at->second;
+  }
+
+  // Among the corners of all the face's vertices here, if it touches itself.
+  HalfEdgeId corner_of(FaceId face, Direction d) {
+    if (!corners_known_) corners_.collect(*patch_, vertices_here_);
+    corners_known_ = true;
+    HalfEdgeId found;
+    corners_.for_each_of(face, [&](HalfEdgeId h) {
+      if (!found.valid() || within_corner(kernel_, *patch_, h, d) == Within::inside) found = h;
+    });
+    if (!found.valid()) throw InternalError("a cut leaves a vertex into a face that is not there");
+    return found;
+  }
+
+  void group_by_site() {
+    Table<SiteId, std::uint32_t> count(plan_.sites.size());
+    for (const Leaving& l : leaving_) ++count[l.end.site];
+    order_.at.reserve(plan_.sites.size());
+    CutEndId next(0);
+    for (const std::uint32_t k : count) {
+      order_.at.add({next, next});
+      next = CutEndId(next.value() + k);
+    }
+    Table<CutEndId, Leaving> grouped(leaving_.size());
+    for (const Leaving& l : leaving_) {
+      IdRange<CutEndId>& here = order_.at[l.end.site];
+      grouped[here.end_id()] = l;
+      here.extend();
+    }
+    leaving_ = std::move(grouped.items());
+  }
+
+  void sort(SiteId s) {
+    const IdRange<CutEndId> range = order_.at[s];
+    if (range.size() < 2) return;
+    const Site& site = plan_.sites[s];
+    patch_ = &w_.patch[site.operand];
+    const auto ends = std::span(leaving_).subspan(range.front().value(), range.size());
+    if (site.entity.is_face()) {
+      sort_within_face(site.entity.face(), ends);
+    } else {
+      number_corners(vertices_[s].vertex, ends);
+      sort_around_vertex(ends);
+    }
+  }
+
+  void number_corners(VertexId vertex, std::span<Leaving> ends) const {
+    const auto corner = [](const Leaving& l) { return l.end.corner; };
+    std::sort(ends.begin(), ends.end(),
+              [&](const Leaving& p, const Leaving& q) { return corner(p) < corner(q); });
+    std::uint32_t turn = 0;
+    for_each_around(patch_->brep, patch_->brep.vertex_half_edge[vertex.value()], [&](HalfEdgeId h) {
+      auto at = std::partition_point(ends.begin(), ends.end(),
+                                     [&](const Leaving& l) { return corner(l) < h; });
+      for (; at != ends.end() && corner(*at) == h; ++at) at->turn = turn;
+      ++turn;
+    });
+  }
+
+  void sort_around_vertex(std::span<Leaving> ends) const {
+    std::sort(ends.begin(), ends.end(), [&](const Leaving& p, const Leaving& q) {
+      if (p.turn != q.turn) return p.turn < q.turn;
+      if (p.rank != q.rank || p.rank != 1) return p.rank < q.rank;
+      const HalfEdgeId corner = p.end.corner;
+      return before_counter_clockwise(kernel_, patch_->brep.plane_of(corner),
+                                      direction_of(kernel_, *patch_, corner), p.direction,
+                                      q.direction);
+    });
+  }
+
+  void sort_within_face(FaceId face, std::span<Leaving> ends) const {
+    const Direction start = ends[0].direction;
+    std::sort(ends.begin() + 1, ends.end(), [&](const Leaving& p, const Leaving& q) {
+      return before_counter_clockwise(kernel_, patch_->plane(face), start, p.direction,
+                                      q.direction);
+    });
+  }
+
+  const Workspace& w_;
+  const Kernel& kernel_;
+  const Contacts& contacts_;
+  const Neighborhoods& n_;
+  const CutPlan& plan_;
+  const SiteVertices& vertices_;
+  Table<CarrierId, Direction> along_;  // for cut faces
+  CutOrder order_;
+  std::vector<Leaving> leaving_;
+
+  // Of the sites that are looked at.
+  const Patch* patch_ = nullptr;
+  std::vector<std::pair<VertexId, SiteId>> sites_here_;
+  std::vector<VertexId> vertices_here_;
+  Corners corners_;  // of the vertices here, once somebody asked
+  bool corners_known_ = false;
+};
+
+}  // namespace
+
+CutOrder order_cuts(const Workspace& w, const Contacts& contacts,
+                    const Neighborhoods& neighborhoods, const CutPlan& plan,
+                    const SitesByPlace& places, const SiteVertices& vertices) {
+  return Ordering(w, contacts, neighborhoods, plan, vertices).run(places);
+}
+
+}  // namespace sectile

@@ -1,0 +1,130 @@
+#include "boolean/null_edges/null_edges.h"
+
+#include "boolean/check_links.h"
+#include "boolean/null_edges/bridging.h"
+#include "boolean/null_edges/cut_order.h"
+#include "boolean/null_edges/subdivision.h"
+#include "boolean/patch_euler.h"
+
+namespace sectile {
+namespace {
+
+// Splits each site and attaches the cuts to its null edges.
+class SiteSplitter {
+ public:
+  SiteSplitter(Workspace& w, const Contacts& contacts, Cuts& cuts)
+      : w_(w), contacts_(contacts), cuts_(cuts) {}
+
+  void split(const SplitSite& site, const CutOrder& order) {
+    site_ = &site;
+    patch_ = &w_.patch[site.operand];
+    if (site.entity.is_face())
+      split_face();
+    else
+      split_vertex(order);
+  }
+
+ private:
+  std::size_t cut_count() const { return site_->ends.size(); }
+  void attach(std::size_t cut, HalfEdgeId first, HalfEdgeId last) {
+    CutEnd& end = cuts_.ends[site_->ends[cut]];
+    end.first = first;
+    end.last = last;
+  }
+
+  // The first null edge is an inner loop of the face, and further ones extend it. Cut 0 faces its
+  // twin; the last cut faces the whole chain.
+  void split_face() {
+    PatchEuler euler(*patch_);
+    const std::size_t k = cut_count();
+    const HalfEdgeId out = euler.mevvr(site_->entity.face(), contacts_.point(site_->place));
+    keep(out);
+    HalfEdgeId last_out = out, end = Brep::twin(out);
+    attach(0, k == 1 ? out : end, k == 1 ? out : end);
+    for (std::size_t i = 1; i + 1 < k; ++i) {
+      last_out = euler.mev(end, end);
+      keep(last_out);
+      end = Brep::twin(last_out);
+      attach(i, end, end);
+    }
+    if (k > 1) attach(k - 1, out, last_out);
+  }
+
+  // The last cut in counter-clockwise order comes before all other edges: what lies between it and
+  // the first one stays with the old vertex.
+  void split_vertex(const CutOrder& order) {
+    const std::size_t k = cut_count();
+    const auto corner = [&](std::size_t cut) { return order.ends[site_->ends[cut]].corner; };
+    if (k == 0) return;  // all its cuts leave other vertices at its place
+    if (k == 1) return attach(0, corner(0), {});
+    // The run after each cut moves on, with all further ones.
+    runs_.clear();
+    made_.clear();
+    for (std::size_t i = 0; i + 1 < k; ++i) {
+      const bool moves = corner(i) != corner(k - 1);
+      runs_.push_back(moves ? patch_->brep.around(corner(i)) : HalfEdgeId());
+    }
+    PatchEuler(*patch_).mev_chain(runs_, patch_->brep.around(corner(k - 1)), made_);
+    for (std::size_t i = 0; i + 1 < k; ++i) {
+      keep(made_[i]);
+      attach(i, Brep::twin(made_[i]), Brep::twin(made_[i]));
+    }
+    attach(k - 1, made_.front(), made_.back());
+  }
+
+  void keep(HalfEdgeId made) { cuts_.null_edges.push_back({site_->operand, Brep::edge_of(made)}); }
+
+  Workspace& w_;
+  const Contacts& contacts_;
+  Cuts& cuts_;
+  const SplitSite* site_ = nullptr;
+  Patch* patch_ = nullptr;
+  std::vector<HalfEdgeId> runs_, made_;
+};
+
+// A site may divide an edge, and a cut is two null edges and one between them.
+void reserve(Workspace& w, const CutPlan& plan) {
+  PerOperand<std::size_t> more_edges;
+  for (const Site& site : plan.sites) more_edges[site.operand] += 1 + 2 * site.ends.size();
+  for (const Operand s : both_operands) w.patch[s].reserve(more_edges[s]);
+}
+
+Cuts in_order(const CutPlan& plan, const CutOrder& order) {
+  Cuts cuts;
+  cuts.sites.reserve(plan.sites.size());
+  for (const SiteId s : plan.sites.ids()) {
+    const Site& site = plan.sites[s];
+    cuts.sites.add({site.operand, site.entity, site.place, order.at[s]});
+  }
+  cuts.of_carrier.resize(plan.of_carrier.size());
+  cuts.ends.reserve(order.ends.size());
+  for (const OrderedEnd& end : order.ends) {
+    const PlannedEnd& planned = plan.ends[end.planned];
+    cuts.of_carrier[planned.carrier][planned.which] =
+        cuts.ends.add({end.site, planned.segment, planned.carrier, planned.which, {}, {}});
+  }
+  return cuts;
+}
+
+}  // namespace
+
+Cuts insert_null_edges(Workspace& w, const Contacts& contacts, const Neighborhoods& neighborhoods,
+                       const CutPlan& plan) {
+  reserve(w, plan);
+  const SiteVertices vertices = subdivide_edges(w, contacts, plan);
+  check_links(w, "subdivision");
+  const SitesByPlace places(plan);
+  Bridges bridges = bridge_touching_corners(w, plan, places, vertices);
+  const CutOrder order = order_cuts(w, contacts, neighborhoods, plan, places, vertices);
+  Cuts cuts = in_order(plan, order);
+  cuts.null_edges = std::move(bridges.null_edges);
+  cuts.bridged = std::move(bridges.faces);
+  SiteSplitter splitter(w, contacts, cuts);
+  for (const SplitSite& site : cuts.sites) {
+    w.check_cancelled();
+    splitter.split(site, order);
+  }
+  return cuts;
+}
+
+}  // namespace sectile
