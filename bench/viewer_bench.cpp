@@ -104,7 +104,7 @@ struct Counts {
 Counts move_mouse(Bench& bench, glm::dvec2 from, double reach, double seconds) {
   bench.press(from);
   Counts counts;
-  const Evaluation* seen = bench.app().session().evaluation();
+  const Evaluation* seen = bench.app().session().results.evaluation();
   std::uint64_t request = seen ? seen->request : 0;
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t started = std::clock();
@@ -113,7 +113,7 @@ Counts move_mouse(Bench& bench, glm::dvec2 from, double reach, double seconds) {
     const double along = (turn < 40 ? turn : 80 - turn) / 40.0;
     bench.mouse(Event::Kind::mouse_move, from + glm::dvec2(along * reach, along * reach * 0.1));
     ++counts.frames;
-    const Evaluation* now = bench.app().session().evaluation();
+    const Evaluation* now = bench.app().session().results.evaluation();
     if (now && now->request != request) {
       request = now->request;
       ++counts.results;

@@ -19,7 +19,7 @@ glm::dvec2 target(AppDriver& driver, const glm::dvec3& origin, const glm::dvec3&
   const Session& session = driver.session();
   const Handles handles = *handles_of(session);
   EXPECT_LT(glm::distance(handles.origin, origin), 1e-9);
-  const glm::dvec3 grip = handles.grip(HandlePart::axis_x, session.camera);
+  const glm::dvec3 grip = handles.grip(HandlePart::axis_x, session.view.camera);
   EXPECT_LT(glm::distance(handles.axes[0], axis), 1e-9);
   return driver.middle("handle.x") + driver.app().on_screen(grip + by * axis) -
          driver.app().on_screen(grip);
@@ -56,10 +56,10 @@ struct HeldBlock {
 TEST(AppDrag, EscapeTakesADragBack) {
   HeldBlock block("handle.x", {60, 20});
   auto& [driver, before, from] = block;
-  EXPECT_NE(driver.session().dragging, "");
+  EXPECT_NE(driver.session().interface.dragging, "");
   driver.key(Key::escape);
   EXPECT_EQ(driver.scene(), before);
-  EXPECT_EQ(driver.session().dragging, "");
+  EXPECT_EQ(driver.session().interface.dragging, "");
   EXPECT_EQ(driver.session().selection().size(), 1u) << "it stays selected";
   driver.move(from + glm::dvec2(90, 30));
   driver.let_go(from + glm::dvec2(90, 30));
@@ -163,13 +163,13 @@ TEST(AppDrag, FacesBecomeFlush) {
   driver.enter("properties.position.x", "3.141");
   const glm::dvec2 to = target(driver, {3.141, 0, 0}, {1, 0, 0}, -1.12);
   driver.hold(driver.middle("handle.x"), to);
-  EXPECT_NE(driver.session().dragging.find("face on face: exact"), std::string::npos)
-      << driver.session().dragging;
+  EXPECT_NE(driver.session().interface.dragging.find("face on face: exact"), std::string::npos)
+      << driver.session().interface.dragging;
   driver.let_go(to);
   EXPECT_EQ(placement(driver, 1).position, (Vec3{2, 0, 0}));
   driver.key('A', true);
   driver.key('U');
-  const Solid* both = driver.session().solid(driver.scene().roots().front());
+  const Solid* both = driver.session().results.solid(driver.scene().roots().front());
   ASSERT_NE(both, nullptr);
   EXPECT_EQ(both->counts().shells, 1u);
   EXPECT_NEAR(both->volume(), 8 + 8 * 0.49, 1e-12);
@@ -188,17 +188,17 @@ TEST(AppDrag, ContactsBetweenDoublesAreExact) {
   driver.press("tree:" + std::to_string(second));
   const glm::dvec2 to = target(driver, {3, 0, 0}, {1, 0, 0}, -0.88);
   driver.hold(driver.middle("handle.x"), to);
-  EXPECT_NE(driver.session().dragging.find("face on face: exact"), std::string::npos)
-      << driver.session().dragging;
+  EXPECT_NE(driver.session().interface.dragging.find("face on face: exact"), std::string::npos)
+      << driver.session().interface.dragging;
   driver.let_go(to);
   EXPECT_EQ(placement(driver, 1).position, (Vec3{2.1, 0, 0}));
   EXPECT_NE(placement(driver, 1).remainder.x, 0);
   driver.key('A', true);
   driver.key('U');
   const NodeId both = driver.scene().roots().front();
-  ASSERT_NE(driver.session().solid(both), nullptr);
-  EXPECT_EQ(driver.session().solid(both)->counts().faces, 11u);
-  EXPECT_EQ(driver.session().solid(both)->counts().shells, 1u);
+  ASSERT_NE(driver.session().results.solid(both), nullptr);
+  EXPECT_EQ(driver.session().results.solid(both)->counts().faces, 11u);
+  EXPECT_EQ(driver.session().results.solid(both)->counts().shells, 1u);
   driver.key('Z', true);
   driver.press("tree:" + std::to_string(second));
   driver.enter("properties.position.x", "2.1");
@@ -220,7 +220,7 @@ TEST(AppDrag, AnAxisHandleMovesAlongItsAxisOnly) {
   driver.press("tree:" + std::to_string(second));
   const glm::dvec2 to = target(driver, {3, 0, 0}, {1, 0, 0}, -1.02);
   driver.hold(driver.middle("handle.x"), to);
-  const std::string told = driver.session().dragging;
+  const std::string told = driver.session().interface.dragging;
   EXPECT_NE(told.find("vertex on vertex"), std::string::npos) << told;
   EXPECT_NE(told.find("beside the way of this handle"), std::string::npos) << told;
   driver.let_go(to);
@@ -241,11 +241,11 @@ TEST(AppDrag, OperandsOfAMovedOperationBecomeFlush) {
   driver.press("tree:" + std::to_string(b));
   const glm::dvec2 to = target(driver, {3.1, -0.3, 0}, {1, 0, 0}, -1.02);
   driver.hold(driver.middle("handle.x"), to);
-  EXPECT_NE(driver.session().dragging.find("face on face: exact"), std::string::npos)
-      << driver.session().dragging;
+  EXPECT_NE(driver.session().interface.dragging.find("face on face: exact"), std::string::npos)
+      << driver.session().interface.dragging;
   driver.let_go(to);
   EXPECT_EQ(driver.scene().at(b).placement.position, (Vec3{2, 0, 0}));
-  EXPECT_EQ(driver.session().solid(made)->counts().shells, 1u);
+  EXPECT_EQ(driver.session().results.solid(made)->counts().shells, 1u);
 }
 
 TEST(AppDrag, SlantedFacesAreSaidNotToBeExact) {
@@ -261,8 +261,9 @@ TEST(AppDrag, SlantedFacesAreSaidNotToBeExact) {
   const double by = 2.01 - std::sqrt(0.75);
   const glm::dvec2 to = target(driver, {1, 0, 0}, {std::sqrt(0.75), 0.5, 0}, by);
   driver.hold(driver.middle("handle.x"), to);
-  EXPECT_NE(driver.session().dragging.find("face on face: near, not exact"), std::string::npos)
-      << driver.session().dragging;
+  EXPECT_NE(driver.session().interface.dragging.find("face on face: near, not exact"),
+            std::string::npos)
+      << driver.session().interface.dragging;
   driver.let_go(to);
   EXPECT_NEAR(placement(driver, 1).position.x, 1 + (by - 0.01) * std::sqrt(0.75), 1e-9);
 }

@@ -154,7 +154,7 @@ const Story& AppDriver::open_steps(const std::string& sample) {
   app_->open_sample(sample);
   settle();
   key(Key::tab);
-  const Story* story = session().player.story();
+  const Story* story = session().results.player.story();
   if (!story) throw std::runtime_error("The steps of " + sample + " were not computed.");
   return *story;
 }

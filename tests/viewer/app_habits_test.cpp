@@ -64,7 +64,7 @@ TEST(Groups, AreNotEmptyAndExportedWhole) {
   driver.key('G', true);
   const NodeId group = driver.scene().roots().front();
   ASSERT_TRUE(std::holds_alternative<Group>(driver.scene().at(group).what));
-  EXPECT_EQ(driver.session().solid(group), nullptr) << "it is no empty solid";
+  EXPECT_EQ(driver.session().results.solid(group), nullptr) << "it is no empty solid";
   const std::vector<Shape> shapes = visible_shapes(driver.session());
   ASSERT_EQ(shapes.size(), 2u);
   for (const Shape& shape : shapes) EXPECT_TRUE(shape.surface.highlighted);
@@ -147,19 +147,20 @@ TEST(MessageList, KeepsTheMessagesOfAllBadFiles) {
     std::ofstream(file) << "{ \"kind\": \n";
     driver.drop(file);
   }
-  EXPECT_EQ(driver.session().messages.shown().size(), 3u);
-  EXPECT_EQ(driver.session().messages.waiting(), 3u);
-  ASSERT_EQ(driver.session().messages.all().size(), 6u);
+  EXPECT_EQ(driver.session().interface.messages.shown().size(), 3u);
+  EXPECT_EQ(driver.session().interface.messages.waiting(), 3u);
+  ASSERT_EQ(driver.session().interface.messages.all().size(), 6u);
   for (int i = 0; i < 6; ++i) {
-    const std::string& text = driver.session().messages.all()[static_cast<std::size_t>(i)].text;
+    const std::string& text =
+        driver.session().interface.messages.all()[static_cast<std::size_t>(i)].text;
     EXPECT_EQ(text.find("bad" + std::to_string(i) + ".sectile: line "), 0u) << text;
     EXPECT_EQ(text.find("exception"), std::string::npos) << text;
     EXPECT_EQ(text.back(), '.');
   }
   driver.press("messages.more");
   EXPECT_TRUE(driver.app().has_widget("panel.messages"));
-  EXPECT_TRUE(driver.session().messages.shown().empty());
-  EXPECT_EQ(driver.session().messages.all().size(), 6u);
+  EXPECT_TRUE(driver.session().interface.messages.shown().empty());
+  EXPECT_EQ(driver.session().interface.messages.all().size(), 6u);
   driver.press("messages.close");
   EXPECT_FALSE(driver.app().has_widget("panel.messages"));
   driver.press("status.messages");
@@ -214,7 +215,7 @@ TEST(Section, StartsWhereItCutsSomething) {
   driver.enter("properties.position.x", "1");
   driver.key('X');
   EXPECT_TRUE(driver.session().view.section);
-  EXPECT_EQ(driver.session().section_plane(), glm::dvec4(1, 0, 0, -1));
+  EXPECT_EQ(driver.session().view.section_plane(), glm::dvec4(1, 0, 0, -1));
 }
 
 TEST(Section, HasAnOutline) {
@@ -339,7 +340,7 @@ TEST(FileBrowserFolder, IsRememberedByTheNextSession) {
   }
   AppDriver driver(options);
   driver.key('O', true);
-  EXPECT_EQ(driver.session().dialogs.browser.folder, folder / "models");
+  EXPECT_EQ(driver.session().interface.dialogs.browser.folder, folder / "models");
 }
 
 TEST(FailingField, LeavesTheFieldsWhereTheyAre) {
@@ -348,7 +349,7 @@ TEST(FailingField, LeavesTheFieldsWhereTheyAre) {
   const NodeId id = driver.session().selected();
   const glm::vec4 before = driver.app().widget("properties.scale.x");
   driver.enter("properties.scale.x", "0");
-  ASSERT_NE(driver.session().error_of(id), "");
+  ASSERT_NE(driver.session().results.error_of(id), "");
   ASSERT_TRUE(driver.app().has_widget("properties.error"));
   EXPECT_EQ(driver.app().widget("properties.scale.x"), before);
 }
@@ -374,7 +375,7 @@ TEST(StepsTable, IsWholeAtUsualSizes) {
   for (const Size& size : {Size{1280, 800, 1}, {1024, 700, 1}, {1920, 1080, 2}}) {
     AppDriver driver(size.width, size.height, size.scale);
     show_wide_table(driver);
-    for (const std::string& column : driver.session().player.current()->columns)
+    for (const std::string& column : driver.session().results.player.current()->columns)
       for (const char* row : {"inspector.column:", "inspector.last:"}) {
         const Widget* cell = driver.app().widgets().find(row + column);
         ASSERT_NE(cell, nullptr) << size.width << ' ' << column;

@@ -11,7 +11,7 @@ namespace sectile::viewer {
 namespace {
 
 std::string result(const AppDriver& driver) {
-  const auto* tool = dynamic_cast<const MeasureTool*>(driver.session().tool.get());
+  const auto* tool = dynamic_cast<const MeasureTool*>(driver.session().interface.tool.get());
   return tool ? tool->result() : "no tool";
 }
 

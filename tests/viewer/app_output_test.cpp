@@ -88,14 +88,14 @@ TEST(AppOutput, StepsAsNumberedFrames) {
   AppDriver driver;
   const Story& story = driver.open_steps("fig01");
   driver.key(Key::right);
-  const std::size_t step = driver.session().player.step();
+  const std::size_t step = driver.session().results.player.step();
   RecordingPlan plan;
   plan.kind = RecordingPlan::Kind::steps;
   plan.width = 120, plan.height = 90;
   plan.path = folder() / "step.png";
   driver.app().record(plan);
   settle_recording(driver);
-  EXPECT_EQ(driver.session().player.step(), step) << "as before";
+  EXPECT_EQ(driver.session().results.player.step(), step) << "as before";
   std::size_t files = 0;
   for (const auto& file : fs::directory_iterator(folder())) files += file.is_regular_file();
   EXPECT_EQ(files, story.steps().size());
@@ -116,7 +116,7 @@ TEST(AppOutput, TheDialogAsksForKindSizeAndFile) {
     driver.press("record.turntable");
     EXPECT_EQ(driver.faults(), "");
     driver.press("record.hd");
-    EXPECT_EQ(driver.session().recording_plan.width, 1920u);
+    EXPECT_EQ(driver.session().interface.recording_plan.width, 1920u);
     driver.press("record.choose");
     EXPECT_TRUE(driver.app().has_widget("panel.browser"));
     driver.key(Key::escape);
@@ -259,14 +259,14 @@ TEST(AppOutput, TheSectionPlaneGoesOntoAFaceAndAlongItsNormal) {
   driver.key(Key::home);
   driver.key('X', false, true);
   ASSERT_TRUE(driver.session().view.section);
-  EXPECT_EQ(driver.session().section_plane(), glm::dvec4(0, -1, 0, 0)) << "halves it";
+  EXPECT_EQ(driver.session().view.section_plane(), glm::dvec4(0, -1, 0, 0)) << "halves it";
   EXPECT_EQ(driver.faults(), "");
   // The slope of the wedge is what one sees from the right.
   driver.key('3');
   const glm::dvec2 at = driver.app().on_screen({0, 0.85, 0});
   driver.move(at);
   driver.click(at);
-  const glm::dvec4 slope = driver.session().section_plane();
+  const glm::dvec4 slope = driver.session().view.section_plane();
   EXPECT_NEAR(slope.x, std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(slope.z, std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(slope.w, 0, 1e-12);
@@ -277,14 +277,14 @@ TEST(AppOutput, TheSectionPlaneGoesOntoAFaceAndAlongItsNormal) {
     return driver.app().on_screen(handles.origin + t * handles.size * handles.axes[2]);
   };
   driver.drag(on_arrow(0.6), on_arrow(0.1));
-  const glm::dvec4 moved = driver.session().section_plane();
+  const glm::dvec4 moved = driver.session().view.section_plane();
   EXPECT_GT(moved.w, 0.05);
   EXPECT_NEAR(moved.w * 20, std::round(moved.w * 20), 1e-9) << "on round numbers";
   EXPECT_EQ(moved.x, slope.x);
   driver.key('Z');
-  EXPECT_EQ(glm::dvec3(driver.session().section_plane()), glm::dvec3(0, 0, 1));
+  EXPECT_EQ(glm::dvec3(driver.session().view.section_plane()), glm::dvec3(0, 0, 1));
   driver.key('T');
-  EXPECT_EQ(glm::dvec3(driver.session().section_plane()), glm::dvec3(0, 0, -1));
+  EXPECT_EQ(glm::dvec3(driver.session().view.section_plane()), glm::dvec3(0, 0, -1));
 }
 
 TEST(AppOutput, TheSectionPlaneTiltsByItsRings) {
@@ -303,7 +303,7 @@ TEST(AppOutput, TheSectionPlaneTiltsByItsRings) {
   const glm::dvec3 toward = -driver.app().camera().forward();
   const double from = glm::dot(handles.axes[1], toward) > 0 ? 45 : 135;
   driver.drag(on_ring(from), on_ring(from + 20));
-  const glm::dvec4 plane = driver.session().section_plane();
+  const glm::dvec4 plane = driver.session().view.section_plane();
   const double tilt = glm::degrees(std::acos(plane.z));
   EXPECT_GT(tilt, 5);
   EXPECT_NEAR(tilt / 5, std::round(tilt / 5), 1e-6);

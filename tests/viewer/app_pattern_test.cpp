@@ -18,7 +18,7 @@ const Pattern& pattern(const AppDriver& driver) {
 }
 
 const Solid& only_solid(const AppDriver& driver) {
-  const Solid* solid = driver.session().solid(driver.scene().roots().front());
+  const Solid* solid = driver.session().results.solid(driver.scene().roots().front());
   if (!solid) throw std::runtime_error("The only solid was not computed.");
   return *solid;
 }
@@ -60,7 +60,7 @@ TEST(AppPattern, HolesAroundTheAxisOfARim) {
                      2 * (std::sin(-8 * a) + std::sin(-7 * a)), box.high.z};
   driver.move(driver.app().on_screen(p));
   driver.click(driver.app().on_screen(p));
-  ASSERT_EQ(driver.session().tool, nullptr) << "the rim gives the axis";
+  ASSERT_EQ(driver.session().interface.tool, nullptr) << "the rim gives the axis";
   EXPECT_EQ(pattern(driver).count, 4u);
   EXPECT_EQ(std::abs(pattern(driver).axis.z), 1);
   EXPECT_EQ(pattern(driver).centre.x, 0);

@@ -50,10 +50,10 @@ TEST(AppPlace, FaceOnFaceTouches) {
   driver.move(two.seen(front));
   driver.click(two.seen(front));
   driver.click(two.seen({-1.5, 0.5, 0.5}));
-  EXPECT_NE(driver.session().dragging.find("exact"), std::string::npos);
+  EXPECT_NE(driver.session().interface.dragging.find("exact"), std::string::npos);
   EXPECT_EQ(driver.faults(), "");
   driver.key(Key::enter);
-  EXPECT_EQ(driver.session().tool, nullptr);
+  EXPECT_EQ(driver.session().interface.tool, nullptr);
   EXPECT_EQ(driver.app().last_message(), "Face on face: exact.");
   EXPECT_EQ(driver.session().document.undo_name(), "Face on face");
   const NodeId id = driver.scene().roots()[1];
@@ -62,7 +62,7 @@ TEST(AppPlace, FaceOnFaceTouches) {
   EXPECT_EQ(placement(driver, 1).position.z, 1.5);
   driver.key('A', true);
   driver.key('U');
-  const Solid* both = driver.session().solid(driver.scene().roots().front());
+  const Solid* both = driver.session().results.solid(driver.scene().roots().front());
   ASSERT_NE(both, nullptr);
   EXPECT_EQ(both->counts().shells, 1u) << "they touch without a gap";
 }
@@ -139,7 +139,7 @@ TEST(AppPlace, ASolidIsNotPlacedOnItself) {
   EXPECT_EQ(driver.scene(), before);
   EXPECT_NE(driver.app().last_message().find("another solid"), std::string::npos);
   driver.press("tool.end");
-  EXPECT_EQ(driver.session().tool, nullptr);
+  EXPECT_EQ(driver.session().interface.tool, nullptr);
 }
 
 }  // namespace

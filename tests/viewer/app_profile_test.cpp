@@ -28,7 +28,7 @@ const Primitive& primitive(const AppDriver& driver) {
 }
 
 double volume(const AppDriver& driver) {
-  const Solid* solid = driver.session().solid(driver.session().selected());
+  const Solid* solid = driver.session().results.solid(driver.session().selected());
   return solid ? solid->volume() : -1;
 }
 
@@ -46,7 +46,7 @@ TEST(AppProfile, DrawsAPlateWithAHoleAndChangesItLater) {
     driver.press("profile.next.add");
     click(driver, -2, 1.5);
     click(driver, -2, -2);  // the first corner again closes it
-    EXPECT_EQ(driver.session().profile.sketch.loops().size(), 1u);
+    EXPECT_EQ(driver.session().interface.profile.sketch.loops().size(), 1u);
     driver.press("profile.circle");
     driver.press("profile.done");
     ASSERT_FALSE(driver.app().has_widget("panel.profile"));
@@ -90,7 +90,7 @@ TEST(AppProfile, CornersAreDraggedInsertedAndRemoved) {
   choose(driver, "profile.xy");
   driver.press("profile.rectangle");  // 2 by 2
   driver.drag(on_canvas(driver, 1, 1), on_canvas(driver, 2, 1));
-  const ProfileSketch& sketch = driver.session().profile.sketch;
+  const ProfileSketch& sketch = driver.session().interface.profile.sketch;
   EXPECT_EQ(sketch.loops()[0][2].x, 2);
   EXPECT_EQ(sketch.loops()[0][2].y, 1);
   driver.double_click(on_canvas(driver, 0, -1));
@@ -112,7 +112,9 @@ TEST(AppProfile, WhatIsWrongIsSaidBeforeTheSolidIsMade) {
   choose(driver, "profile.turned");
   for (const auto& [x, y] : {std::pair{1, 0}, {2, 2}, {2, 0}, {1, 2}}) click(driver, x, y);
   driver.key(Key::enter);
-  EXPECT_NE(driver.session().profile.sketch.problem(driver.session().profile.primitive), "");
+  EXPECT_NE(driver.session().interface.profile.sketch.problem(
+                driver.session().interface.profile.primitive),
+            "");
   driver.key(Key::enter);
   EXPECT_EQ(driver.scene().size(), 0u);
   EXPECT_EQ(driver.faults(), "");

@@ -62,7 +62,7 @@ PolygonMesh crossing_cubes() {
 }
 
 const MeshDefects& defects_of(const AppDriver& driver) {
-  const MeshDefects* defects = driver.session().repair.defects();
+  const MeshDefects* defects = driver.session().results.repair.defects();
   if (!defects) throw std::runtime_error("No defects were found.");
   return *defects;
 }
@@ -88,19 +88,19 @@ TEST_F(Repairing, ACrossingMeshIsListedLitAndRepairedAsOneStepOfUndo) {
   EXPECT_EQ(defects.touching->faces.size(), 12u) << "three squares of each cube";
   EXPECT_EQ(driver.faults(), "");
 
-  const RepairPreview* preview = driver.session().repair.preview();
+  const RepairPreview* preview = driver.session().results.repair.preview();
   ASSERT_TRUE(preview && preview->mesh);
   EXPECT_EQ(preview->volume, 4.25);
   driver.press("repair.after");
-  EXPECT_TRUE(driver.session().repair.shows_after);
+  EXPECT_TRUE(driver.session().results.repair.shows_after);
   driver.press("repair.accept");
   EXPECT_FALSE(driver.app().has_widget("panel.repair"));
   ASSERT_EQ(driver.scene().roots().size(), 2u);
   const NodeId made = driver.scene().roots().back();
   EXPECT_EQ(driver.scene().at(made).name, "two");
   EXPECT_EQ(driver.session().selected(), made);
-  ASSERT_NE(driver.session().solid(made), nullptr);
-  EXPECT_EQ(driver.session().solid(made)->volume(), 4.25);
+  ASSERT_NE(driver.session().results.solid(made), nullptr);
+  EXPECT_EQ(driver.session().results.solid(made)->volume(), 4.25);
   EXPECT_NE(driver.app().last_message().find("two was repaired: 6 faces divided"),
             std::string::npos)
       << driver.app().last_message();
@@ -116,7 +116,7 @@ TEST_F(Repairing, TheCameraGoesToTheLineThatIsClicked) {
   const Camera all = driver.app().camera();
   driver.press("repair.defect.0");
   const MeshDefect& defect = defects_of(driver).list.front();
-  EXPECT_EQ(driver.session().repair.lit, 0);
+  EXPECT_EQ(driver.session().results.repair.lit, 0);
   EXPECT_LT(glm::distance(driver.app().camera().target, *defect.place), 1e-9);
   EXPECT_LT(driver.app().camera().distance, all.distance);
   const Picture picture = PictureMaker().make(driver.session());
@@ -135,15 +135,15 @@ TEST_F(Repairing, HolesAreClosedOnlyIfThatIsWanted) {
   ASSERT_EQ(defects.list.size(), 1u);
   EXPECT_EQ(defects.list[0].text, "Hole of 4 edges, 12 long");
   EXPECT_EQ(defects.list[0].edges.size(), 8u);
-  EXPECT_TRUE(driver.session().repair.choice().close_holes);
+  EXPECT_TRUE(driver.session().results.repair.choice().close_holes);
   driver.press("repair.close_holes");
-  ASSERT_TRUE(driver.session().repair.preview());
-  EXPECT_NE(driver.session().repair.preview()->refusal.find("1 hole"), std::string::npos);
+  ASSERT_TRUE(driver.session().results.repair.preview());
+  EXPECT_NE(driver.session().results.repair.preview()->refusal.find("1 hole"), std::string::npos);
   EXPECT_FALSE(driver.app().widgets().find("repair.accept")->enabled);
   driver.press("repair.close_holes");
   driver.press("repair.accept");
   ASSERT_EQ(driver.scene().roots().size(), 1u);
-  EXPECT_EQ(driver.session().solid(driver.scene().roots()[0])->volume(), 27);
+  EXPECT_EQ(driver.session().results.solid(driver.scene().roots()[0])->volume(), 27);
 }
 
 TEST_F(Repairing, CrossingsBesideAHoleAreListedToo) {
@@ -168,8 +168,8 @@ TEST_F(Repairing, BordersAreStitchedByATypedDistance) {
   EXPECT_EQ(count(defects_of(driver), MeshDefect::Kind::hole), 2u);
   driver.press("repair.close_holes");
   driver.enter("repair.stitch", "0.01");
-  EXPECT_EQ(driver.session().repair.choice().stitch, 0.01);
-  const RepairPreview* preview = driver.session().repair.preview();
+  EXPECT_EQ(driver.session().results.repair.choice().stitch, 0.01);
+  const RepairPreview* preview = driver.session().results.repair.preview();
   ASSERT_TRUE(preview);
   EXPECT_EQ(preview->refusal, "");
   EXPECT_NEAR(preview->volume, 8, 0.01);
@@ -188,21 +188,22 @@ TEST_F(Repairing, WhatIsInsideOutOrTurnedIsSaidInWords) {
   ASSERT_EQ(defects_of(driver).list.size(), 1u);
   EXPECT_EQ(defects_of(driver).list[0].text, "1 part is inside out");
   driver.press("repair.accept");
-  EXPECT_EQ(driver.session().solid(driver.scene().roots()[0])->volume(), 8);
+  EXPECT_EQ(driver.session().results.solid(driver.scene().roots()[0])->volume(), 8);
   driver.drop(file("turned.obj", turned));
   ASSERT_EQ(defects_of(driver).list.size(), 1u);
   EXPECT_EQ(defects_of(driver).list[0].text, "1 face is turned the wrong way round");
   EXPECT_EQ(defects_of(driver).list[0].edges.size(), 8u) << "the four edges around it are lit";
   driver.press("repair.accept");
-  EXPECT_EQ(driver.session().solid(driver.scene().roots()[1])->volume(), 8);
+  EXPECT_EQ(driver.session().results.solid(driver.scene().roots()[1])->volume(), 8);
 }
 
 TEST_F(Repairing, TheRuleSaysWhatIsMaterial) {
   AppDriver driver(1280, 800);
   driver.drop(file("two.obj", crossing_cubes()));
   driver.press("repair.rule.odd");
-  ASSERT_TRUE(driver.session().repair.preview());
-  EXPECT_EQ(driver.session().repair.preview()->volume, 4.125) << "what both cover is a hollow";
+  ASSERT_TRUE(driver.session().results.repair.preview());
+  EXPECT_EQ(driver.session().results.repair.preview()->volume, 4.125)
+      << "what both cover is a hollow";
 }
 
 TEST_F(Repairing, CancelAndEscapeLeaveSceneAndCameraAsTheyWere) {
@@ -235,12 +236,12 @@ TEST_F(Repairing, SeveralFilesAreAskedAboutOneAfterAnother) {
   driver.app().open(file("second.obj", without_top(cube({0, 0, 0}, 1))));
   driver.settle();
   ASSERT_EQ(driver.scene().roots().size(), 1u) << "what is good does not wait";
-  EXPECT_EQ(driver.session().repair.subject().part.name, "first");
-  EXPECT_EQ(driver.session().repair.waiting(), 1u);
+  EXPECT_EQ(driver.session().results.repair.subject().part.name, "first");
+  EXPECT_EQ(driver.session().results.repair.waiting(), 1u);
   driver.press("repair.accept");
-  EXPECT_EQ(driver.session().repair.subject().part.name, "second");
+  EXPECT_EQ(driver.session().results.repair.subject().part.name, "second");
   driver.press("repair.accept");
-  EXPECT_FALSE(driver.session().repair.is_open());
+  EXPECT_FALSE(driver.session().results.repair.is_open());
   EXPECT_EQ(driver.scene().roots().size(), 3u);
 }
 

@@ -31,7 +31,7 @@ TEST(AppSelect, ABoxSelectsWhatItMeets) {
   driver.key('B');
   driver.drag(two.seen({3, 0, 2}), two.seen({4.5, 0, 0.5}));
   EXPECT_EQ(driver.session().selection(), Selection{two.root(1)});
-  EXPECT_EQ(driver.session().tool, nullptr);
+  EXPECT_EQ(driver.session().interface.tool, nullptr);
   // Shift and a drag, without the key, adds.
   driver.drag(two.seen({2, 0, 2}), two.seen({0.5, 0, 0.5}), MouseButton::left, false, true);
   EXPECT_EQ(driver.session().selection(), (Selection{two.root(1), two.root(0)}));

@@ -17,7 +17,7 @@ std::filesystem::path file(const std::string& name) {
 }
 
 const Solid& only_solid(const AppDriver& driver) {
-  const Solid* solid = driver.session().solid(driver.scene().roots().front());
+  const Solid* solid = driver.session().results.solid(driver.scene().roots().front());
   if (!solid) throw std::runtime_error("The only solid was not computed.");
   return *solid;
 }
@@ -115,15 +115,15 @@ TEST(App, StepsToTheSpecialCaseNamed) {
   AppDriver driver;
   const Story& story = driver.open_steps("fig01");
   driver.press("steps.next_special");
-  ASSERT_NE(driver.session().player.current(), nullptr);
-  EXPECT_TRUE(driver.session().player.current()->special);
-  EXPECT_EQ(driver.session().player.step(), story.next_special(0, false));
+  ASSERT_NE(driver.session().results.player.current(), nullptr);
+  EXPECT_TRUE(driver.session().results.player.current()->special);
+  EXPECT_EQ(driver.session().results.player.step(), story.next_special(0, false));
   driver.press("steps.stops");
   driver.press("stop.null edge");
   driver.key(Key::escape);
   driver.click(driver.middle("status.text"));
   driver.key('B');
-  EXPECT_EQ(driver.session().player.current()->kind, "null edge");
+  EXPECT_EQ(driver.session().results.player.current()->kind, "null edge");
 }
 
 TEST(App, UndoesAndRedoesEverything) {

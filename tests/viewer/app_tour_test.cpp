@@ -20,28 +20,28 @@ void run(AppDriver& driver, const std::string& menu, const std::string& item) {
 TEST(AppTour, GoesForwardsAndBackwardsByKeys) {
   AppDriver driver(AppDriver::waiting(), 1280, 800);
   run(driver, "menu.help", "tour.start");
-  ASSERT_TRUE(driver.session().tour.is_on());
+  ASSERT_TRUE(driver.session().interface.tour.is_on());
   for (std::size_t i = 0; i < 4; ++i) {
     const Station& station = stations()[i];
-    EXPECT_EQ(driver.session().tour.at(), i);
-    ASSERT_NE(driver.session().player.story(), nullptr) << station.title;
-    EXPECT_EQ(driver.session().player.phase(), station.phase) << station.title;
-    EXPECT_EQ(driver.session().player.step(),
-              step_of(station, *driver.session().player.story()).value());
+    EXPECT_EQ(driver.session().interface.tour.at(), i);
+    ASSERT_NE(driver.session().results.player.story(), nullptr) << station.title;
+    EXPECT_EQ(driver.session().results.player.phase(), station.phase) << station.title;
+    EXPECT_EQ(driver.session().results.player.step(),
+              step_of(station, *driver.session().results.player.story()).value());
     EXPECT_EQ(driver.faults(), "") << station.title;
     driver.key(Key::right, true);
     driver.settle();
   }
   driver.key(Key::left, true);
   driver.settle();
-  EXPECT_EQ(driver.session().tour.at(), 3u);
-  EXPECT_FALSE(driver.session().tour.shows_answer);
+  EXPECT_EQ(driver.session().interface.tour.at(), 3u);
+  EXPECT_FALSE(driver.session().interface.tour.shows_answer);
   driver.key(Key::down, true);
   driver.settle();
-  EXPECT_TRUE(driver.session().tour.shows_answer);
+  EXPECT_TRUE(driver.session().interface.tour.shows_answer);
   driver.press("tour.end");
   driver.settle();
-  EXPECT_FALSE(driver.session().tour.is_on());
+  EXPECT_FALSE(driver.session().interface.tour.is_on());
 }
 
 TEST(AppTour, SamplesShowTheirOperandsFirst) {
@@ -49,7 +49,7 @@ TEST(AppTour, SamplesShowTheirOperandsFirst) {
   driver.app().open_sample("fig13");
   driver.settle();
   const auto says = [&](const char* what) {
-    const auto& legend = driver.session().legend;
+    const auto& legend = driver.session().view.legend;
     return std::any_of(legend.begin(), legend.end(),
                        [&](const LegendKey& key) { return key.text.starts_with(what); });
   };
@@ -70,7 +70,7 @@ TEST(AppTour, SpecialCasesOnlyPassesOverPlainSteps) {
   for (int i = 0; i < 5; ++i) {
     driver.key(Key::right);
     driver.settle();
-    EXPECT_TRUE(story.steps()[driver.session().player.step()].special);
+    EXPECT_TRUE(story.steps()[driver.session().results.player.step()].special);
   }
 }
 
@@ -79,12 +79,12 @@ TEST(AppTour, PointingAtARowLightsItInThePicture) {
   driver.open_steps("fig11");
   driver.app().show_step(Phase::vertex_face, 0);
   driver.settle();
-  EXPECT_EQ(driver.session().lit_row, -1);
+  EXPECT_EQ(driver.session().interface.lit_row, -1);
   const glm::vec4 table = driver.app().widget("inspector.table");
   driver.move({table.x + 30, table.y + table.w * 0.5});
   driver.settle();
-  EXPECT_GE(driver.session().lit_row, 0);
-  const auto& legend = driver.session().legend;
+  EXPECT_GE(driver.session().interface.lit_row, 0);
+  const auto& legend = driver.session().view.legend;
   EXPECT_TRUE(std::any_of(legend.begin(), legend.end(),
                           [](const LegendKey& key) { return key.text == "this row"; }));
 }
@@ -97,13 +97,13 @@ TEST(AppTour, AChainOfOperandsOffersEachOfItsPairs) {
   driver.settle();
   driver.key(Key::tab);
   driver.settle();
-  ASSERT_NE(driver.session().player.story(), nullptr);
+  ASSERT_NE(driver.session().results.player.story(), nullptr);
   EXPECT_EQ(driver.session().told_operand(), 2u);
   EXPECT_TRUE(driver.app().has_widget("inspector.pair"));
-  const Solid last = driver.session().player.story()->result();
+  const Solid last = driver.session().results.player.story()->result();
   const_cast<Session&>(driver.session()).tell_operand(1);
   driver.settle(5);
-  EXPECT_FALSE(driver.session().player.story()->result() == last);
+  EXPECT_FALSE(driver.session().results.player.story()->result() == last);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST(AppTransform, TheSelectionFollowsTheMouseAtOnce) {
   EXPECT_EQ(driver.scene(), before) << "not before the mouse moves";
   driver.move(pointer + glm::dvec2(90, 10));
   EXPECT_NE(placement(driver).position, Vec3()) << "no button is held";
-  EXPECT_NE(driver.session().dragging, "");
+  EXPECT_NE(driver.session().interface.dragging, "");
   driver.key(Key::escape);
   EXPECT_EQ(driver.scene(), before);
   EXPECT_EQ(driver.session().document.undo_name(), "Add block");
@@ -191,7 +191,7 @@ TEST(AppTransform, NoPanelSeesTheMouseMeanwhile) {
   driver.settle();
   driver.click(undo);
   EXPECT_EQ(driver.session().document.undo_name(), "Move") << "taken, not undone";
-  EXPECT_EQ(driver.session().tool, nullptr);
+  EXPECT_EQ(driver.session().interface.tool, nullptr);
 }
 
 TEST(AppTransform, KeysOfCommandsDoNotActMeanwhile) {
@@ -201,13 +201,13 @@ TEST(AppTransform, KeysOfCommandsDoNotActMeanwhile) {
   driver.key(Key::del);
   driver.key('H');
   EXPECT_EQ(driver.scene(), block.before);
-  EXPECT_NE(driver.session().tool, nullptr);
+  EXPECT_NE(driver.session().interface.tool, nullptr);
 }
 
 TEST(AppTransform, WithoutASelectionTheKeysDoNothing) {
   AppDriver driver;
   driver.key('G');
-  EXPECT_EQ(driver.session().tool, nullptr);
+  EXPECT_EQ(driver.session().interface.tool, nullptr);
 }
 
 TEST(AppKeys, EveryCommandWithAKeyStandsOnThePage) {

@@ -99,7 +99,7 @@ TEST(AppTree, DragsGiveOperandsToAnOperation) {
   const NodeId result = driver.session().selected();
   driver.drag(in_row(driver, c, 0.5), in_row(driver, result, 0.5));
   EXPECT_EQ(driver.scene().at(result).children, (std::vector<NodeId>{a, b, c}));
-  EXPECT_EQ(driver.session().solid(result)->volume(), 24);
+  EXPECT_EQ(driver.session().results.solid(result)->volume(), 24);
 }
 
 TEST(AppTree, DeletesWholeGroups) {

@@ -39,15 +39,15 @@ TEST(AppWork, StopsWhereAVertexTakesPart) {
   driver.press("stop.entity");
   driver.type(vertex);
   driver.key(Key::enter);
-  EXPECT_EQ(driver.session().player.stops, std::vector<std::string>{vertex});
+  EXPECT_EQ(driver.session().results.player.stops, std::vector<std::string>{vertex});
   EXPECT_TRUE(driver.app().has_widget("stop.remove." + vertex));
   driver.press("stop.entity");
   driver.type("corner");
   driver.press("stop.add");
-  EXPECT_EQ(driver.session().player.stops.size(), 1u) << "that names nothing";
+  EXPECT_EQ(driver.session().results.player.stops.size(), 1u) << "that names nothing";
   EXPECT_NE(driver.app().last_message().find("corner"), std::string::npos);
   driver.press("stop.remove." + vertex);
-  EXPECT_TRUE(driver.session().player.stops.empty());
+  EXPECT_TRUE(driver.session().results.player.stops.empty());
   driver.press("stop.entity");
   driver.key('A', true);
   driver.type(vertex);
@@ -55,7 +55,7 @@ TEST(AppWork, StopsWhereAVertexTakesPart) {
   driver.key(Key::escape);
   driver.click(driver.middle("status.text"));
   driver.key('B');
-  EXPECT_EQ(driver.session().player.step(), wanted);
+  EXPECT_EQ(driver.session().results.player.step(), wanted);
 }
 
 TEST(AppWork, CancelsALongComputation) {
@@ -84,12 +84,12 @@ TEST(AppWork, CancelsALongComputation) {
   driver.press("status.cancel");
   ASSERT_TRUE(frames_until(is_idle));
   EXPECT_NE(driver.app().last_message().find("Cancelled"), std::string::npos);
-  EXPECT_EQ(driver.session().solid(result), nullptr);
+  EXPECT_EQ(driver.session().results.solid(result), nullptr);
   EXPECT_EQ(driver.scene().roots().size(), 1u) << "the scene stays as it is";
   // Undone, there is little to compute.
   driver.key('Z', true);
   ASSERT_TRUE(frames_until(is_idle));
-  EXPECT_NE(driver.session().solid(driver.scene().roots().front()), nullptr);
+  EXPECT_NE(driver.session().results.solid(driver.scene().roots().front()), nullptr);
 }
 
 /// A session that keeps a copy of a block and ends without any goodbye.
@@ -149,7 +149,7 @@ TEST(AppWork, DroppedFilesBecomeSolids) {
   const Node& node = driver.scene().at(driver.scene().roots().back());
   EXPECT_EQ(node.name, "bracket");
   EXPECT_EQ(driver.session().selected(), node.id);
-  EXPECT_EQ(driver.session().solid(node.id)->volume(), 6);
+  EXPECT_EQ(driver.session().results.solid(node.id)->volume(), 6);
   // Its handles stand where it is, not at its distant origin.
   const glm::dvec2 centre = driver.middle("handle.centre");
   EXPECT_NEAR(glm::distance(centre, driver.app().on_screen({7.5, 1, 1.5})), 0, 1);
@@ -187,8 +187,8 @@ TEST(AppWork, ExportsTheSelectedSolid) {
     EXPECT_EQ(Solid::from_mesh(read_mesh(folder() / name)).volume(), 14) << name;
   }
   export_as("result.doc");
-  EXPECT_TRUE(driver.session().dialogs.browsing) << "says what is wrong and stays open";
-  EXPECT_NE(driver.session().dialogs.browser.problem, "");
+  EXPECT_TRUE(driver.session().interface.dialogs.browsing) << "says what is wrong and stays open";
+  EXPECT_NE(driver.session().interface.dialogs.browser.problem, "");
 }
 
 TEST(AppWork, ValuesAreTypedAtTwiceTheScale) {
@@ -201,9 +201,9 @@ TEST(AppWork, ValuesAreTypedAtTwiceTheScale) {
   driver.enter("properties.scale.y", "2");
   EXPECT_EQ(at().position.x, 0.123456789012);
   EXPECT_EQ(at().rotation.z, 90);
-  EXPECT_EQ(driver.session().solid(id)->volume(), 16);
+  EXPECT_EQ(driver.session().results.solid(id)->volume(), 16);
   driver.enter("properties.size.x", "3");
-  EXPECT_EQ(driver.session().solid(id)->volume(), 24);
+  EXPECT_EQ(driver.session().results.solid(id)->volume(), 24);
   EXPECT_EQ(driver.faults(), "");
   // Looking into a field is no change, and Esc takes what was typed back to the last digit.
   const std::string last = driver.session().document.undo_name();

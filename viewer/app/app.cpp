@@ -48,21 +48,22 @@ class App::Implementation {
         options_(options),
         renderer_(context),
         session_(options.data_folder, options.dark) {
-    session_.clipboard = {[] {
-                            const char* text = ImGui::GetClipboardText();
-                            return std::string(text ? text : "");
-                          },
-                          [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); }};
+    session_.interface.clipboard = {
+        [] {
+          const char* text = ImGui::GetClipboardText();
+          return std::string(text ? text : "");
+        },
+        [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); }};
     if (!options_.data_folder.empty()) {
-      load_settings(settings_path(), session_.view, session_.dialogs.browser.folder);
-      session_.recent = RecentFiles(options_.data_folder / "recent");
+      load_settings(settings_path(), session_.view, session_.interface.dialogs.browser.folder);
+      session_.interface.recent = RecentFiles(options_.data_folder / "recent");
       session_.offer_recovery(options_.data_folder);
     }
   }
 
   ~Implementation() {
     if (!options_.data_folder.empty())
-      save_settings(settings_path(), session_.view, session_.dialogs.browser.folder);
+      save_settings(settings_path(), session_.view, session_.interface.dialogs.browser.folder);
   }
 
   void frame(const Input& input, double seconds) {
@@ -77,7 +78,8 @@ class App::Implementation {
     was_busy_ = session_.is_busy();
     widgets_.begin_frame();
     draw_interface();
-    if (!std::exchange(session_.typed.is_drawn, false)) session_.typed.field.clear();
+    if (!std::exchange(session_.interface.typed.is_drawn, false))
+      session_.interface.typed.field.clear();
     if (options_.wait_for_results) session_.update(0, true);
     tooltip_pending_ = is_tooltip_pending();
     follow_step();
@@ -89,9 +91,9 @@ class App::Implementation {
 
   /// One frame of a film for each of the window.
   void record_on() {
-    if (!session_.recording) return;
-    if (!session_.recording->prepare(session_)) return session_.write_recorded();
-    session_.recording->add(draw_image(session_.recording->plan()));
+    if (!session_.interface.recording) return;
+    if (!session_.interface.recording->prepare(session_)) return session_.write_recorded();
+    session_.interface.recording->add(draw_image(session_.interface.recording->plan()));
   }
 
   std::vector<Image> film(const RecordingPlan& plan) {
@@ -110,20 +112,20 @@ class App::Implementation {
 
   bool needs_frame() const {
     return !events_.is_empty() || was_busy_ || tooltip_pending_ || session_.is_busy() ||
-           session_.player.is_playing() || session_.messages.is_fading() || settling_ > 0 ||
-           !is_at_rest();
+           session_.results.player.is_playing() || session_.interface.messages.is_fading() ||
+           settling_ > 0 || !is_at_rest();
   }
 
   double time_to_next_frame() const {
     const bool moves =
-        session_.player.is_playing() || tooltip_pending_ || settling_ > 0 || !is_at_rest();
+        session_.results.player.is_playing() || tooltip_pending_ || settling_ > 0 || !is_at_rest();
     return moves ? 1.0 / 60 : 0.5;
   }
 
   Image screenshot() { return renderer_.read_frame(); }
 
   glm::dvec2 on_screen(const glm::dvec3& point) const {
-    const glm::dvec3 pixel = session_.camera.project(point, session_.picture_size);
+    const glm::dvec3 pixel = session_.view.camera.project(point, session_.view.picture_size);
     return {layout_.picture.x + pixel.x, layout_.picture.y + pixel.y};
   }
 
@@ -151,12 +153,12 @@ class App::Implementation {
     const float menu = options_.show_interface ? 15 + 8 : 0;
     const bool steps = session_.mode() == Mode::steps;
     const double left = steps ? session_.view.left_steps : session_.view.left_model;
-    layout_ = make_layout(
-        io.DisplaySize.x, io.DisplaySize.y,
-        {menu, steps, session_.view.hints, session_.tour.is_on(), session_.repair.is_open(),
-         static_cast<float>(left), static_cast<float>(session_.view.right_steps)});
+    layout_ = make_layout(io.DisplaySize.x, io.DisplaySize.y,
+                          {menu, steps, session_.view.hints, session_.interface.tour.is_on(),
+                           session_.results.repair.is_open(), static_cast<float>(left),
+                           static_cast<float>(session_.view.right_steps)});
     if (!options_.show_interface) layout_.picture = {0, 0, io.DisplaySize.x, io.DisplaySize.y};
-    session_.picture_size = {layout_.picture.width, layout_.picture.height};
+    session_.view.picture_size = {layout_.picture.width, layout_.picture.height};
   }
 
   // Escape closes a menu and arrows walk in it; elsewhere these keys are ours. That a menu was open
@@ -173,20 +175,20 @@ class App::Implementation {
     // Two quiet frames let menus and tooltips come to rest.
     settling_ = fed.empty() ? std::max(0, settling_ - 1) : 2;
     for (const Event& event : fed) {
-      if (event.kind == Event::Kind::close && !session_.dialogs.is_open())
+      if (event.kind == Event::Kind::close && !session_.interface.dialogs.is_open())
         commands_.run(session_, commands_.get("file.quit"));
       if (event.kind == Event::Kind::drop)
         for (const std::filesystem::path& file : event.files) session_.open(file);
       if (event.kind == Event::Kind::key_down) press(event);
       if (event.kind == Event::Kind::text && !ImGui::GetIO().WantTextInput &&
-          session_.typed.field.empty())
+          session_.interface.typed.field.empty())
         navigation_.text(session_, event.text);
     }
   }
 
   void press(const Event& event) {
-    if (ImGui::GetIO().WantTextInput || session_.dialogs.is_open()) return;
-    if (!session_.typed.field.empty()) return;
+    if (ImGui::GetIO().WantTextInput || session_.interface.dialogs.is_open()) return;
+    if (!session_.interface.typed.field.empty()) return;
     if (menu_was_open_) return;
     if (event.key == Key::escape) return escape();
     if (navigation_.key(session_, event)) return;
@@ -194,7 +196,7 @@ class App::Implementation {
   }
 
   void escape() {
-    if (session_.repair.is_open()) return session_.give_up_repair();
+    if (session_.results.repair.is_open()) return session_.give_up_repair();
     if (navigation_.escape(session_)) return;
     if (!session_.document.has_draft()) return session_.select(0);
     // A field that is being dragged.
@@ -238,22 +240,23 @@ class App::Implementation {
   }
 
   void draw_left_side(PanelContext& context) {
-    if (session_.repair.is_open()) return draw_repair(context);
+    if (session_.results.repair.is_open()) return draw_repair(context);
     draw_scene_tree(context);
     if (layout_.properties.height > 0) draw_properties(context);
     draw_splitters(context);
   }
 
   void follow_step() {
-    const auto place = std::pair(session_.player.shared(), session_.player.step());
+    const auto place = std::pair(session_.results.player.shared(), session_.results.player.step());
     if (place == followed_) return;
     followed_ = place;
     if (!session_.view.follow_steps || session_.mode() != Mode::steps || !place.first ||
-        !session_.player.current())
+        !session_.results.player.current())
       return;
     const Bounds bounds = place.first->place_of(place.second);
     if (!bounds.is_empty())
-      session_.camera.look_at(bounds, session_.picture_size.x / session_.picture_size.y);
+      session_.view.camera.look_at(bounds,
+                                   session_.view.picture_size.x / session_.view.picture_size.y);
   }
 
   // A picture in full quality may take a second: it waits until the camera has come to rest.
@@ -261,8 +264,8 @@ class App::Implementation {
 
   void draw_picture(double seconds) {
     navigation_.update(session_, layout_.picture);
-    still_for_ = session_.camera == seen_camera_ ? still_for_ + seconds : 0;
-    seen_camera_ = session_.camera;
+    still_for_ = session_.view.camera == seen_camera_ ? still_for_ + seconds : 0;
+    seen_camera_ = session_.view.camera;
     Picture picture = pictures_.make(session_);
     if (options_.show_interface) navigation_.add_to(picture, session_);
     if (navigation_.is_dragging() || options_.fast_pictures || !is_at_rest())
@@ -271,7 +274,7 @@ class App::Implementation {
     const auto pixels = [&](float units) { return static_cast<int>(std::lround(units * scale)); };
     const Rectangle& p = layout_.picture;
     renderer_.draw(picture, {pixels(p.x), pixels(p.y), pixels(p.width), pixels(p.height)});
-    session_.legend = picture.legend;
+    session_.view.legend = picture.legend;
     draw_labels(picture);
   }
 
@@ -282,7 +285,8 @@ class App::Implementation {
     draw.PushClipRect({p.x, p.y}, {p.x + p.width, p.y + p.height});
     std::vector<ImVec4> plates;
     for (const Label& label : picture.labels) {
-      const glm::dvec3 pixel = session_.camera.project(label.place, session_.picture_size);
+      const glm::dvec3 pixel =
+          session_.view.camera.project(label.place, session_.view.picture_size);
       if (pixel.z <= 0) continue;
       const ImVec2 at{std::round(p.x + static_cast<float>(pixel.x) + 5),
                       std::round(p.y + static_cast<float>(pixel.y) - 16)};
@@ -356,7 +360,7 @@ void App::frame(const Input& input, double seconds) {
   implementation_->frame(input, seconds);
 }
 bool App::wants_to_close() const {
-  return implementation_->session().wants_to_close;
+  return implementation_->session().interface.wants_to_close;
 }
 bool App::needs_frame() const {
   return implementation_->needs_frame();
@@ -390,7 +394,7 @@ const Scene& App::scene() const {
   return implementation_->session().scene();
 }
 const Camera& App::camera() const {
-  return implementation_->session().camera;
+  return implementation_->session().view.camera;
 }
 void App::set_camera(const Camera& camera) {
   implementation_->session().keep_camera(camera);
@@ -398,7 +402,7 @@ void App::set_camera(const Camera& camera) {
 
 void App::show_step(Phase phase, std::size_t step) {
   implementation_->session().set_mode(Mode::steps);
-  implementation_->session().player.go_to(phase, step);
+  implementation_->session().results.player.go_to(phase, step);
 }
 
 const Widgets& App::widgets() const {
@@ -429,7 +433,7 @@ std::string App::title() const {
   return (document.is_changed() ? "*" : "") + name + " \u2013 Sectile";
 }
 std::string App::last_message() const {
-  return implementation_->session().messages.last();
+  return implementation_->session().interface.messages.last();
 }
 
 }  // namespace sectile::viewer

@@ -51,7 +51,7 @@ bool meets(const Box& box, const Surface& surface, const Session& session) {
     bool before_eye = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3 p(surface.model * glm::dvec4(positions[i + k], 1));
-      const glm::dvec3 seen = session.camera.project(p, session.picture_size);
+      const glm::dvec3 seen = session.view.camera.project(p, session.view.picture_size);
       before_eye = before_eye && seen.z > 0;
       corners[k] = glm::dvec2(seen);
     }
@@ -103,8 +103,8 @@ void BoxSelect::release(Session& session, const Pointer& pointer) {
 void BoxSelect::add_to(Picture& picture, const Session& session) const {
   if (!from_) return;
   const auto place = [&](double x, double y) {
-    const Ray ray = session.camera.ray({x, y}, session.picture_size);
-    return glm::vec3(ray.origin + session.camera.distance * ray.direction);
+    const Ray ray = session.view.camera.ray({x, y}, session.view.picture_size);
+    return glm::vec3(ray.origin + session.view.camera.distance * ray.direction);
   };
   const glm::vec3 a = place(from_->x, from_->y), b = place(to_.x, from_->y),
                   c = place(to_.x, to_.y), d = place(from_->x, to_.y);

@@ -12,7 +12,7 @@ NodeId hit_among(const Session& session, Picker& picker, const Ray& ray, bool op
   for (const Shape& shape : visible_shapes(session))
     if (shape.is_operand == operands)
       targets.push_back({shape.node, shape.surface.mesh, shape.surface.model});
-  const SectionPlane section{session.view.section, session.section_plane()};
+  const SectionPlane section{session.view.section, session.view.section_plane()};
   const std::optional<Hit> hit = picker.pick(ray, targets, section);
   return hit ? hit->node : 0;
 }

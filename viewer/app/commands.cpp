@@ -120,7 +120,7 @@ void Commands::run(Session& session, const Command& command) const {
   try {
     command.run(session);
   } catch (const std::exception& error) {
-    session.messages.error(command.title + " did not work: " + error.what());
+    session.interface.messages.error(command.title + " did not work: " + error.what());
   }
 }
 
@@ -149,7 +149,7 @@ bool looks_only(const std::string& name) {
 }  // namespace
 
 bool is_enabled(const Command& command, const Session& session) {
-  if (session.repair.is_open() && !looks_only(command.name)) return false;
+  if (session.results.repair.is_open() && !looks_only(command.name)) return false;
   return !command.can_run || command.can_run(session);
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "app/session.h"
@@ -22,15 +23,44 @@ struct Shortcut {
   bool control, shift;
 };
 
+/// A function of a session, or of those of its parts alone that it takes: so a command says what it
+/// needs.
+template <class Result, class SessionType>
+class OfSession {
+  template <class Part>
+  using Like = std::conditional_t<std::is_const_v<SessionType>, const Part, Part>;
+
+ public:
+  OfSession() = default;
+  template <class Function>
+  requires(!std::is_same_v<std::decay_t<Function>, OfSession>) OfSession(Function function) {
+    if constexpr (std::is_invocable_v<Function, SessionType&>)
+      call_ = function;
+    else if constexpr (std::is_invocable_v<Function, Like<Document>&>)
+      call_ = [function](SessionType& s) { return function(s.document); };
+    else if constexpr (std::is_invocable_v<Function, Like<Results>&>)
+      call_ = [function](SessionType& s) { return function(s.results); };
+    else if constexpr (std::is_invocable_v<Function, Like<ViewState>&>)
+      call_ = [function](SessionType& s) { return function(s.view); };
+    else
+      call_ = [function](SessionType& s) { return function(s.interface); };
+  }
+  explicit operator bool() const { return static_cast<bool>(call_); }
+  Result operator()(SessionType& session) const { return call_(session); }
+
+ private:
+  std::function<Result(SessionType&)> call_;
+};
+
 struct Command {
   std::string name;   ///< "edit.undo"; also the widget's name
   std::string title;  ///< in menus and on the tool bar
   std::string help;   ///< one sentence for the tooltip
   std::string icon;   ///< UTF-8
   std::vector<Shortcut> keys;
-  std::function<void(Session&)> run;
-  std::function<bool(const Session&)> can_run = {};  ///< empty: always
-  std::function<bool(const Session&)> is_on = {};    ///< empty: not a switch
+  OfSession<void, Session> run;
+  OfSession<bool, const Session> can_run = {};  ///< empty: always
+  OfSession<bool, const Session> is_on = {};    ///< empty: not a switch
   bool in_menu = true;
   bool begins_group = false;  ///< a line before it in the menu
   std::string submenu = {};   ///< neighbours with the same one stand in it together

@@ -26,7 +26,7 @@ glm::dvec3 place_of_label(const Session& session, const Bounds& box, int axis) {
   for (int from = 0; from < 8; ++from) {
     if (from & (1 << axis)) continue;
     const glm::dvec3 middle = 0.5 * (corner(box, from) + corner(box, from | (1 << axis)));
-    const glm::dvec3 seen = session.camera.project(middle, session.picture_size);
+    const glm::dvec3 seen = session.view.camera.project(middle, session.view.picture_size);
     const double value = axis == 2 ? -seen.x : seen.y;
     if (value > most) most = value, best = middle;
   }

@@ -38,14 +38,14 @@ std::vector<Command> edit_commands() {
        icons::undo,
        {{'Z', true}},
        [](Session& s) { s.undo(); },
-       [](const Session& s) { return s.document.can_undo(); }},
+       [](const Document& d) { return d.can_undo(); }},
       {"edit.redo",
        "Redo",
        "Makes the change again that was taken back.",
        icons::redo,
        {{'Z', true, true}, {'Y', true}},
        [](Session& s) { s.redo(); },
-       [](const Session& s) { return s.document.can_redo(); }},
+       [](const Document& d) { return d.can_redo(); }},
       Command{"edit.duplicate",
               "Duplicate",
               "Makes a copy of the selected solids in the same place, and selects it.",
@@ -61,7 +61,7 @@ std::vector<Command> edit_commands() {
        {{'D', false, true}},
        [](Session& s) {
          s.duplicate_selected();
-         s.begin_tool(std::make_unique<ModalTransform>(s, HandleMode::move, s.pointer));
+         s.begin_tool(std::make_unique<ModalTransform>(s, HandleMode::move, s.interface.pointer));
        },
        in_model_with_selection},
       {"edit.copy",
@@ -112,7 +112,7 @@ std::vector<Command> edit_commands() {
        "",
        {{Key::f2}},
        [](Session& s) {
-         s.renaming = {s.selected(), false, {}};
+         s.interface.renaming = {s.selected(), false, {}};
        },
        has_selection},
       {"edit.hide",
@@ -146,7 +146,7 @@ std::vector<Command> add_commands() {
                                     "Adds a solid to the scene.",
                                     icons::plus,
                                     {{'A', false, true}},
-                                    [](Session& s) { s.adding = true; }}};
+                                    [](InterfaceState& i) { i.adding = true; }}};
   commands.front().in_menu = false;
   for (const Primitive::Shape shape : all_shapes)
     commands.push_back({"add." + name_of(shape),

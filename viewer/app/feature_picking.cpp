@@ -75,7 +75,8 @@ ExactTransform way_up(const Scene& scene, NodeId id, NodeId top) {
 }
 
 void add_box(const Session& session, NodeId id, NodeId mover, ExactBox& box) {
-  const Evaluation::Entry* entry = session.evaluation() ? session.evaluation()->find(id) : nullptr;
+  const Evaluation::Entry* entry =
+      session.results.evaluation() ? session.results.evaluation()->find(id) : nullptr;
   if (entry && entry->error.empty() && !entry->inside.is_empty())
     return box.add(standing_of(session.scene(), id, mover), exact_mesh(entry->inside).corners);
   for (const NodeId child : session.scene().at(id).children) add_box(session, child, mover, box);
@@ -91,7 +92,7 @@ std::vector<Vec3> PickedSpot::shown() const {
 
 std::optional<PickedSpot> FeaturePicker::spot_of(const Session& session, NodeId node) {
   const Evaluation::Entry* entry =
-      session.evaluation() ? session.evaluation()->find(node) : nullptr;
+      session.results.evaluation() ? session.results.evaluation()->find(node) : nullptr;
   if (!entry || !entry->error.empty() || entry->inside.is_empty()) return std::nullopt;
   PickedSpot spot;
   spot.node = node;
@@ -101,8 +102,8 @@ std::optional<PickedSpot> FeaturePicker::spot_of(const Session& session, NodeId 
 }
 
 std::optional<PickedSpot> FeaturePicker::face_at(const Session& session, glm::dvec2 pixel) {
-  const Ray ray = session.camera.ray(pixel, session.picture_size);
-  const SectionPlane section{session.view.section, session.section_plane()};
+  const Ray ray = session.view.camera.ray(pixel, session.view.picture_size);
+  const SectionPlane section{session.view.section, session.view.section_plane()};
   const std::optional<Hit> hit = picker_.pick(ray, targets_of(session), section);
   std::optional<PickedSpot> spot = hit ? spot_of(session, hit->node) : std::nullopt;
   if (!spot) return std::nullopt;
@@ -115,8 +116,8 @@ std::optional<PickedSpot> FeaturePicker::face_at(const Session& session, glm::dv
 }
 
 std::optional<PickedSpot> FeaturePicker::any_at(const Session& session, glm::dvec2 pixel) {
-  const std::optional<PickedFeature> found =
-      picker_.pick_feature(session.camera, pixel, session.picture_size, reach, targets_of(session));
+  const std::optional<PickedFeature> found = picker_.pick_feature(
+      session.view.camera, pixel, session.view.picture_size, reach, targets_of(session));
   if (!found || found->kind == PickedFeature::Kind::face) return face_at(session, pixel);
   std::optional<PickedSpot> spot = spot_of(session, found->node);
   if (!spot) return std::nullopt;
@@ -142,14 +143,14 @@ std::optional<PickedSpot> FeaturePicker::edge_at(const Session& session, glm::dv
   if (spot && spot->kind == PickedFeature::Kind::vertex) {
     // At a corner the edge that leads towards the pointer is meant.
     const glm::dvec3 corner = to_glm(spot->point);
-    const glm::dvec2 seen(session.camera.project(corner, session.picture_size));
+    const glm::dvec2 seen(session.view.camera.project(corner, session.view.picture_size));
     double best = -2;
     const auto& edges = spot->features->features().edges;
     for (std::size_t i = 0; i < edges.size(); ++i) {
       if (edges[i].from != spot->point && edges[i].to != spot->point) continue;
       const Vec3 end = edges[i].from == spot->point ? edges[i].to : edges[i].from;
       const glm::dvec2 way =
-          glm::dvec2(session.camera.project(to_glm(end), session.picture_size)) - seen;
+          glm::dvec2(session.view.camera.project(to_glm(end), session.view.picture_size)) - seen;
       const double along =
           glm::length(way) > 0 ? glm::dot(way, pixel - seen) / glm::length(way) : -1;
       if (along > best || best == -2) best = along, spot->index = i;

@@ -12,8 +12,8 @@ bool has_solids(const Session& s) {
 void save_as(Session& s) {
   const std::string name =
       s.document.path().empty() ? "scene.sectile" : s.document.path().filename().string();
-  s.dialogs.browse(FileBrowser::Purpose::save, name,
-                   [&s](const std::filesystem::path& path) { s.save(path); });
+  s.interface.dialogs.browse(FileBrowser::Purpose::save, name,
+                             [&s](const std::filesystem::path& path) { s.save(path); });
 }
 
 void save(Session& s) {
@@ -22,23 +22,23 @@ void save(Session& s) {
 }
 
 void open(Session& s) {
-  s.dialogs.browse(FileBrowser::Purpose::open, "",
-                   [&s](const std::filesystem::path& path) { s.open(path); });
+  s.interface.dialogs.browse(FileBrowser::Purpose::open, "",
+                             [&s](const std::filesystem::path& path) { s.open(path); });
 }
 
 void import(Session& s) {
-  s.dialogs.browse(FileBrowser::Purpose::import, "",
-                   [&s](const std::filesystem::path& path) { s.import(path); });
+  s.interface.dialogs.browse(FileBrowser::Purpose::import, "",
+                             [&s](const std::filesystem::path& path) { s.import(path); });
 }
 
 void export_solid(Session& s) {
-  s.dialogs.browse(FileBrowser::Purpose::export_solid, "result.obj",
-                   [&s](const std::filesystem::path& path) { s.export_solid(path); });
+  s.interface.dialogs.browse(FileBrowser::Purpose::export_solid, "result.obj",
+                             [&s](const std::filesystem::path& path) { s.export_solid(path); });
 }
 
 void export_all(Session& s) {
-  s.dialogs.browse(FileBrowser::Purpose::export_all, "parts.3mf",
-                   [&s](const std::filesystem::path& path) { s.export_all(path); });
+  s.interface.dialogs.browse(FileBrowser::Purpose::export_all, "parts.3mf",
+                             [&s](const std::filesystem::path& path) { s.export_all(path); });
 }
 
 }  // namespace
@@ -90,13 +90,14 @@ std::vector<Command> file_commands() {
        "The picture at any size; a turntable or the steps as an animated GIF or as frames.",
        "",
        {{Key::f12}},
-       [](Session& s) { s.dialogs.recording = true; }},
-      Command{"file.quit",
-              "Quit",
-              "Closes the program.",
-              "",
-              {{'Q', true}},
-              [](Session& s) { s.after_saving("Quit", [&s] { s.wants_to_close = true; }); }}
+       [](InterfaceState& i) { i.dialogs.recording = true; }},
+      Command{
+          "file.quit",
+          "Quit",
+          "Closes the program.",
+          "",
+          {{'Q', true}},
+          [](Session& s) { s.after_saving("Quit", [&s] { s.interface.wants_to_close = true; }); }}
           .after_line(),
   };
 }

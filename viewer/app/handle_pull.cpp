@@ -26,8 +26,8 @@ glm::dvec3 pivot_of(const Session& session, const glm::dvec3& origin) {
 }
 
 /// 1, 2.5 or 5 times a power of ten that is well seen on the screen.
-double grid_step(const Session& session, const glm::dvec3& place) {
-  const double least = least_grid_step * session.camera.pixel_length(place, session.picture_size);
+double grid_step(const ViewState& view, const glm::dvec3& place) {
+  const double least = least_grid_step * view.camera.pixel_length(place, view.picture_size);
   const double decade = std::pow(10, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.5, 5.0})
     if (factor * decade >= least) return factor * decade;
@@ -55,13 +55,13 @@ const char* name_of(Snap::Kind kind) {
 }
 
 /// Above the handles, but not outside of the picture.
-glm::dvec3 place_of_text(const Handles& handles, const Session& session) {
-  const glm::dvec2 size = session.picture_size;
-  const glm::dvec3 above = handles.origin + 1.3 * handles.size * session.camera.up();
-  const glm::dvec2 pixel(session.camera.project(above, size));
+glm::dvec3 place_of_text(const Handles& handles, const ViewState& view) {
+  const glm::dvec2 size = view.picture_size;
+  const glm::dvec3 above = handles.origin + 1.3 * handles.size * view.camera.up();
+  const glm::dvec2 pixel(view.camera.project(above, size));
   const glm::dvec2 most = glm::max(glm::dvec2(8, 24), size - glm::dvec2(260, 80));
-  const Ray ray = session.camera.ray(glm::clamp(pixel, glm::dvec2(8, 24), most), size);
-  return ray.origin + session.camera.distance * ray.direction;
+  const Ray ray = view.camera.ray(glm::clamp(pixel, glm::dvec2(8, 24), most), size);
+  return ray.origin + view.camera.distance * ray.direction;
 }
 
 bool is_axis(HandlePart part) {
@@ -79,7 +79,7 @@ double& coordinate(Vec3& v, int i) {
 
 std::optional<Handles> handles_of(const Session& session) {
   // What is stretched along other axes than its own would be sheared.
-  return handles_of(session, session.local_axes || session.handles == HandleMode::scale);
+  return handles_of(session, session.view.local_axes || session.view.handles == HandleMode::scale);
 }
 
 std::optional<Handles> handles_of(const Session& session, bool own_axes) {
@@ -88,12 +88,13 @@ std::optional<Handles> handles_of(const Session& session, bool own_axes) {
   Transform world = session.scene().world(id);
   const glm::dvec3 pivot = pivot_of(session, {world.m[3], world.m[7], world.m[11]});
   world.m[3] = pivot.x, world.m[7] = pivot.y, world.m[11] = pivot.z;
-  return Handles::at(session.handles, world, own_axes, session.camera, session.picture_size);
+  return Handles::at(session.view.handles, world, own_axes, session.view.camera,
+                     session.view.picture_size);
 }
 
 HandlePull::HandlePull(const Session& session, const Handles& handles, HandlePart part,
                        glm::dvec2 pixel)
-    : HandlePull(session, handles, part, pixel, session.local_axes) {}
+    : HandlePull(session, handles, part, pixel, session.view.local_axes) {}
 
 HandlePull::HandlePull(const Session& session, const Handles& handles, HandlePart part,
                        glm::dvec2 pixel, bool own_axes)
@@ -101,16 +102,17 @@ HandlePull::HandlePull(const Session& session, const Handles& handles, HandlePar
       nodes_(session.topmost_selected()),
       handles_(handles),
       part_(part),
-      drag_(handles, part, session.camera.ray(pixel, session.picture_size), session.camera),
+      drag_(handles, part, session.view.camera.ray(pixel, session.view.picture_size),
+            session.view.camera),
       own_axes_(own_axes) {}
 
-void add_marks(Picture& picture, const Session& session, const Handles& handles,
+void add_marks(Picture& picture, const ViewState& view, const Handles& handles,
                const PullState& state) {
-  const Theme& colours = theme(session.view.dark);
+  const Theme& colours = theme(view.dark);
   if (!state.edges.empty()) picture.lines.push_back({state.edges, colours.step, 4, true});
   if (!state.points.empty()) picture.points.push_back({state.points, colours.step, 12});
   if (!state.text.empty())
-    picture.labels.push_back({place_of_text(handles, session), state.text, colours.text, true});
+    picture.labels.push_back({place_of_text(handles, view), state.text, colours.text, true});
 }
 
 Handles HandlePull::handles() const {
@@ -120,7 +122,8 @@ Handles HandlePull::handles() const {
 }
 
 void HandlePull::pull(Session& session, glm::dvec2 pixel, bool snapping, KnownTargets& known) {
-  show(session, drag_.change(session.camera.ray(pixel, session.picture_size)), snapping, known);
+  show(session, drag_.change(session.view.camera.ray(pixel, session.view.picture_size)), snapping,
+       known);
 }
 
 void HandlePull::show(Session& session, const HandleChange& change, bool snapping,
@@ -158,7 +161,7 @@ bool HandlePull::is_along(int axis) const {
 }
 
 Scene HandlePull::moved_on_grid(const Session& session, const glm::dvec3& offset) {
-  const double step = grid_step(session, handles_.origin);
+  const double step = grid_step(session.view, handles_.origin);
   glm::dvec3 snapped_offset(0);
   for (int axis = 0; axis < 3; ++axis) {
     if (!is_along(axis)) continue;
@@ -230,8 +233,8 @@ void HandlePull::keep_on_axis(Placement& placement, NodeId id) {
 
 std::optional<Scene> HandlePull::moved_into_contact(const Session& session,
                                                     const glm::dvec3& offset, SnapScene& others) {
-  const double reach =
-      snap_reach * session.camera.pixel_length(handles_.origin + offset, session.picture_size);
+  const double reach = snap_reach * session.view.camera.pixel_length(handles_.origin + offset,
+                                                                     session.view.picture_size);
   const Snaps found = others.find(offset, reach, drag_.directions());
   if (found.gave_up) state_.text = " \u00B7 too much within reach: grid only";
   if (found.contacts.empty()) return std::nullopt;
@@ -245,7 +248,7 @@ std::optional<Scene> HandlePull::moved_into_contact(const Session& session,
     placement = landings.placements[i];
     keep_on_axis(placement, nodes_[i]);
     if (nodes_.size() == 1 && is_identity(others.frame()))
-      place_on_grid(placement, nodes_[i], contacts, grid_step(session, handles_.origin));
+      place_on_grid(placement, nodes_[i], contacts, grid_step(session.view, handles_.origin));
   }
   state_.is_exact = landings.is_exact && !state_.leaves_axis &&
                     std::all_of(contacts.begin(), contacts.end(),

@@ -26,7 +26,7 @@ struct PullState {
 };
 
 /// Draws what a drag touches, and how far it came above the handles.
-void add_marks(Picture& picture, const Session& session, const Handles& handles,
+void add_marks(Picture& picture, const ViewState& view, const Handles& handles,
                const PullState& state);
 
 class HandlePull {

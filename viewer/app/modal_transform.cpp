@@ -36,8 +36,8 @@ double angle_of(const glm::dvec2& on_screen) {
 ModalTransform::ModalTransform(Session& session, HandleMode mode, glm::dvec2 pointer)
     : mode_(mode) {
   start_.at = now_.at = pointer;
-  session.handles = mode;
-  axes_ = session.local_axes || mode == HandleMode::scale ? Axes::own : Axes::world;
+  session.view.handles = mode;
+  axes_ = session.view.local_axes || mode == HandleMode::scale ? Axes::own : Axes::world;
   start_again(session);
 }
 
@@ -65,7 +65,7 @@ void ModalTransform::start_again(Session& session) {
   session.document.drop_draft();
   const bool own = axes_ == Axes::own;
   handles_ = handles_of(session, own);
-  const glm::dvec2 pivot(session.camera.project(handles_->origin, session.picture_size));
+  const glm::dvec2 pivot(session.view.camera.project(handles_->origin, session.view.picture_size));
   pull_.emplace(session, *handles_, part(), pivot, own);
   last_angle_ = angle_of(start_.at - pivot);
   turned_ = 0;
@@ -76,7 +76,7 @@ void ModalTransform::constrain(Session& session, int axis, bool plane) {
   plane = plane && mode_ != HandleMode::rotate;
   const bool again = axis_ == axis && plane_ == plane;
   const bool scales = mode_ == HandleMode::scale;  // along other axes it would shear
-  const Axes first = session.local_axes || scales ? Axes::own : Axes::world;
+  const Axes first = session.view.local_axes || scales ? Axes::own : Axes::world;
   if (again && axes_ == first && !scales) {
     axes_ = first == Axes::own ? Axes::world : Axes::own;
   } else if (again) {
@@ -120,15 +120,15 @@ HandleChange ModalTransform::by_numbers() const {
 }
 
 double ModalTransform::factor(const Session& session) const {
-  const glm::dvec2 pivot(session.camera.project(handles_->origin, session.picture_size));
+  const glm::dvec2 pivot(session.view.camera.project(handles_->origin, session.view.picture_size));
   const double from = std::max(10.0, glm::distance(start_.at, pivot));
   return std::max(0.01, glm::distance(now_.at, pivot) / from);
 }
 
 HandleChange ModalTransform::by_pointer(const Session& session) {
   HandleChange change;
-  const Camera& camera = session.camera;
-  const glm::dvec2 pivot(camera.project(handles_->origin, session.picture_size));
+  const Camera& camera = session.view.camera;
+  const glm::dvec2 pivot(camera.project(handles_->origin, session.view.picture_size));
   if (mode_ == HandleMode::scale) {
     for (int axis = 0; axis < 3; ++axis)
       if (is_free(axis)) change.scale[axis] = factor(session);
@@ -144,17 +144,18 @@ HandleChange ModalTransform::by_pointer(const Session& session) {
 }
 
 void ModalTransform::show(Session& session) {
-  const bool snapping = session.snapping != now_.control;
+  const bool snapping = session.view.snapping != now_.control;
   if (has_numbers()) {
     pull_->show(session, by_numbers(), false, targets_);
   } else if (mode_ == HandleMode::move) {
     // The handles follow the pointer from wherever it started.
-    const glm::dvec2 pivot(session.camera.project(handles_->origin, session.picture_size));
+    const glm::dvec2 pivot(
+        session.view.camera.project(handles_->origin, session.view.picture_size));
     pull_->pull(session, pivot + now_.at - start_.at, snapping, targets_);
   } else {
     pull_->show(session, by_pointer(session), snapping, targets_);
   }
-  session.dragging = told();
+  session.interface.dragging = told();
 }
 
 void ModalTransform::follow(Session& session, const Pointer& pointer) {
@@ -164,13 +165,13 @@ void ModalTransform::follow(Session& session, const Pointer& pointer) {
 
 void ModalTransform::press(Session& session, const Pointer&) {
   session.document.commit_draft();
-  session.dragging.clear();
+  session.interface.dragging.clear();
   finish();
 }
 
 void ModalTransform::give_up(Session& session) {
   session.document.drop_draft();
-  session.dragging.clear();
+  session.interface.dragging.clear();
 }
 
 bool ModalTransform::key(Session& session, const Event& event) {
@@ -189,9 +190,9 @@ bool ModalTransform::key(Session& session, const Event& event) {
     mode_ = letter == 'G'   ? HandleMode::move
             : letter == 'R' ? HandleMode::rotate
                             : HandleMode::scale;
-    session.handles = mode_;
+    session.view.handles = mode_;
     typed_ = {}, place_ = 0, plane_ = false;
-    axes_ = session.local_axes || mode_ == HandleMode::scale ? Axes::own : Axes::world;
+    axes_ = session.view.local_axes || mode_ == HandleMode::scale ? Axes::own : Axes::world;
     start_ = now_;
     start_again(session);
     show(session);
@@ -250,7 +251,7 @@ void ModalTransform::add_to(Picture& picture, const Session& session) const {
                                true});
   PullState state = pull_->state();
   state.text = told();
-  add_marks(picture, session, pull_->handles(), state);
+  add_marks(picture, session.view, pull_->handles(), state);
 }
 
 }  // namespace sectile::viewer

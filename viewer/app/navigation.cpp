@@ -81,7 +81,7 @@ bool Navigation::is_dragging() const {
 }
 
 bool Navigation::escape(Session& session) {
-  if (session.tool) {
+  if (session.interface.tool) {
     session.end_tool();
     return true;
   }
@@ -89,29 +89,29 @@ bool Navigation::escape(Session& session) {
   session.document.drop_draft();
   state_->drag.reset();
   state_->gesture = Gesture::none;
-  session.dragging.clear();
+  session.interface.dragging.clear();
   return true;
 }
 
 bool Navigation::key(Session& session, const Event& event) {
-  if (!session.tool) return false;
-  const bool taken = session.tool->key(session, event);
+  if (!session.interface.tool) return false;
+  const bool taken = session.interface.tool->key(session, event);
   session.drop_done_tool();
   return taken;
 }
 
 void Navigation::text(Session& session, const std::string& typed) {
-  if (session.tool) session.tool->text(session, typed);
+  if (session.interface.tool) session.interface.tool->text(session, typed);
   session.drop_done_tool();
 }
 
 void Navigation::add_to(Picture& picture, const Session& session) const {
   const State& state = *state_;
-  if (session.tool) return session.tool->add_to(picture, session);
+  if (session.interface.tool) return session.interface.tool->add_to(picture, session);
   const std::optional<Handles> handles = state.drag ? state.drag->handles() : handles_of(session);
   if (!handles) return;
   HandlePicture drawn = draw(*handles, state.drag ? state.drag->part() : state.hovered,
-                             session.camera, picture.bounds());
+                             session.view.camera, picture.bounds());
   const auto append = [](auto& all, auto& more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()),
                std::make_move_iterator(more.end()));
@@ -119,15 +119,15 @@ void Navigation::add_to(Picture& picture, const Session& session) const {
   append(picture.surfaces, drawn.surfaces);
   append(picture.lines, drawn.lines);
   append(picture.points, drawn.points);
-  if (state.drag) add_marks(picture, session, *handles, state.drag->state());
+  if (state.drag) add_marks(picture, session.view, *handles, state.drag->state());
 }
 
 void Navigation::record(Widgets& widgets, const Session& session, const Rectangle& place) const {
   const std::optional<Handles> handles = handles_of(session);
-  if (!handles || session.tool) return;
+  if (!handles || session.interface.tool) return;
   for (const auto& [part, name] : parts_of(handles->mode)) {
-    const glm::dvec3 pixel =
-        session.camera.project(handles->grip(part, session.camera), session.picture_size);
+    const glm::dvec3 pixel = session.view.camera.project(handles->grip(part, session.view.camera),
+                                                         session.view.picture_size);
     Widget widget;
     widget.rectangle = {place.x + pixel.x - 5, place.y + pixel.y - 5, 10, 10};
     widget.surface = true;
@@ -148,7 +148,7 @@ void Navigation::State::begin_drag(Session& session, glm::dvec2 at) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool pans = button == 1 || (button == 2 && io.KeyShift);
   gesture = pans ? Gesture::pan : Gesture::orbit;
-  if (button != 0 || !io.KeyShift || session.tool || !session.is_modelling()) return;
+  if (button != 0 || !io.KeyShift || session.interface.tool || !session.is_modelling()) return;
   const glm::dvec2 way(io.MousePos.x - pressed_at.x, io.MousePos.y - pressed_at.y);
   session.begin_tool(std::make_unique<BoxSelect>(at - way));
   gesture = Gesture::none;
@@ -160,17 +160,19 @@ void Navigation::State::follow(Session& session, glm::dvec2 at, glm::dvec2 size)
       std::hypot(io.MousePos.x - pressed_at.x, io.MousePos.y - pressed_at.y) > click_reach)
     begin_drag(session, at);
   const glm::dvec2 by(io.MouseDelta.x, io.MouseDelta.y);
-  if (gesture == Gesture::orbit) session.camera.orbit(-turn_per_unit * by.x, turn_per_unit * by.y);
-  if (gesture == Gesture::pan) session.camera.pan(by, size);
+  if (gesture == Gesture::orbit)
+    session.view.camera.orbit(-turn_per_unit * by.x, turn_per_unit * by.y);
+  if (gesture == Gesture::pan) session.view.camera.pan(by, size);
   if (gesture == Gesture::handle && (by.x != 0 || by.y != 0))
-    drag->pull(session, at, session.snapping != io.KeyCtrl, targets);
+    drag->pull(session, at, session.view.snapping != io.KeyCtrl, targets);
 }
 
 void Navigation::State::release(Session& session, glm::dvec2 at, glm::dvec2 size) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (session.tool) {
+  if (session.interface.tool) {
     // A click: drags turned the view.
-    if (gesture == Gesture::pressed && button == 0) session.tool->press(session, pointer(at));
+    if (gesture == Gesture::pressed && button == 0)
+      session.interface.tool->press(session, pointer(at));
     session.drop_done_tool();
     gesture = Gesture::none;
     return;
@@ -180,21 +182,22 @@ void Navigation::State::release(Session& session, glm::dvec2 at, glm::dvec2 size
     drag.reset();
   }
   if (gesture == Gesture::pressed && button == 1) {
-    const NodeId hit = clicked_node(session, picker, session.camera.ray(at, size), Depth::outer);
+    const NodeId hit =
+        clicked_node(session, picker, session.view.camera.ray(at, size), Depth::outer);
     if (session.is_modelling() && !is_selected_above(session, hit)) session.select(hit);
-    session.context_menu = !session.repair.is_open();
+    session.interface.context_menu = !session.results.repair.is_open();
   }
   if (gesture == Gesture::pressed && button == 0 && session.is_modelling())
-    session.select(clicked_node(session, picker, session.camera.ray(at, size), Depth::outer),
+    session.select(clicked_node(session, picker, session.view.camera.ray(at, size), Depth::outer),
                    io.KeyShift || io.KeyCtrl);
   gesture = Gesture::none;
 }
 
 /// Tools that take the mouse; true if nothing else of it is left.
 bool Navigation::State::let_tool_act(Session& session, glm::dvec2 at, bool over) {
-  if (!session.tool) return false;
+  if (!session.interface.tool) return false;
   const ImGuiIO& io = ImGui::GetIO();
-  PictureTool& tool = *session.tool;
+  PictureTool& tool = *session.interface.tool;
   const PictureTool::Mouse mouse = tool.mouse();
   const Pointer now = pointer(at);
   const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.KeyCtrl != with_control;
@@ -216,43 +219,46 @@ void Navigation::update(Session& session, const Rectangle& place) {
   State& state = *state_;
   const glm::dvec2 size(place.width, place.height);
   const glm::dvec2 at(io.MousePos.x - place.x, io.MousePos.y - place.y);
-  session.pointer = at;
-  if (session.repair.is_open() && state.drag) {
+  session.interface.pointer = at;
+  if (session.results.repair.is_open() && state.drag) {
     state.drag.reset();
     state.gesture = Gesture::none;
   }
   const bool over = place.contains(io.MousePos.x, io.MousePos.y) && !io.WantCaptureMouse;
   if (over && io.MouseWheel != 0)
-    session.camera.zoom(std::pow(zoom_per_notch, static_cast<double>(io.MouseWheel)), at, size);
+    session.view.camera.zoom(std::pow(zoom_per_notch, static_cast<double>(io.MouseWheel)), at,
+                             size);
   if (state.let_tool_act(session, at, over)) {
     state.gesture = Gesture::none;
     return;
   }
   if (state.gesture == Gesture::none) {
     const std::optional<Handles> handles =
-        over && !session.tool ? handles_of(session) : std::nullopt;
-    state.hovered = handles ? handles->part_at(session.camera, at, size) : std::nullopt;
+        over && !session.interface.tool ? handles_of(session) : std::nullopt;
+    state.hovered = handles ? handles->part_at(session.view.camera, at, size) : std::nullopt;
   }
   if (state.gesture == Gesture::none && over) {
     for (const int button : {0, 1, 2})
       if (ImGui::IsMouseClicked(button)) state.press(session, at, button);
-    if (ImGui::IsMouseDoubleClicked(0) && !state.drag && !session.tool && session.is_modelling()) {
+    if (ImGui::IsMouseDoubleClicked(0) && !state.drag && !session.interface.tool &&
+        session.is_modelling()) {
       const NodeId hit =
-          clicked_node(session, state.picker, session.camera.ray(at, size), Depth::inner);
+          clicked_node(session, state.picker, session.view.camera.ray(at, size), Depth::inner);
       if (hit) session.select(hit);
       state.gesture = Gesture::none;
     }
   }
   if (state.gesture == Gesture::none) return;
   state.follow(session, at, size);
-  if (session.tool && state.gesture == Gesture::none) {
+  if (session.interface.tool && state.gesture == Gesture::none) {
     // A box was begun, and perhaps the button let go in the same frame.
-    session.tool->follow(session, State::pointer(at));
-    if (!io.MouseDown[0]) session.tool->release(session, State::pointer(at));
+    session.interface.tool->follow(session, State::pointer(at));
+    if (!io.MouseDown[0]) session.interface.tool->release(session, State::pointer(at));
     return session.drop_done_tool();
   }
   if (!io.MouseDown[state.button]) state.release(session, at, size);
-  if (!session.tool) session.dragging = state.drag ? state.drag->state().text : std::string();
+  if (!session.interface.tool)
+    session.interface.dragging = state.drag ? state.drag->state().text : std::string();
 }
 
 }  // namespace sectile::viewer

@@ -28,7 +28,7 @@ void begin(TypedField& typed, const std::string& name, const std::string& value)
 /// was entered; what cannot be read is told, and the field stays.
 template <class Take>
 bool draw_typing(PanelContext& context, const std::string& name, float width, const Take& take) {
-  TypedField& typed = context.session.typed;
+  TypedField& typed = context.session.interface.typed;
   typed.is_drawn = true;
   ImGui::SetNextItemWidth(width);
   const bool entered =
@@ -47,7 +47,8 @@ bool draw_typing(PanelContext& context, const std::string& name, float width, co
   try {
     if (changed) take(typed.text);
   } catch (const std::invalid_argument& error) {
-    context.session.messages.error("\"" + typed.text + "\" was not taken: " + error.what());
+    context.session.interface.messages.error("\"" + typed.text +
+                                             "\" was not taken: " + error.what());
     if (entered)
       typed.has_focus = false;  // to be corrected
     else
@@ -91,7 +92,7 @@ bool takes_over(TypedField& typed) {
 
 Edited number_field(PanelContext& context, const std::string& name, double& value, double speed,
                     float width, Quantity quantity, NumberRange range, double beside) {
-  TypedField& typed = context.session.typed;
+  TypedField& typed = context.session.interface.typed;
   const auto meant = [&] { return shortest(value) + (beside == 0 ? "" : signed_text(beside)); };
   if (takes_over(typed)) begin(typed, name, meant());
   Edited edited;
@@ -115,7 +116,7 @@ Edited number_field(PanelContext& context, const std::string& name, double& valu
 
 Edited count_field(PanelContext& context, const std::string& name, std::uint32_t& value, int low,
                    int high, float width) {
-  TypedField& typed = context.session.typed;
+  TypedField& typed = context.session.interface.typed;
   if (takes_over(typed)) begin(typed, name, std::to_string(value));
   Edited edited;
   if (typed.field == name) {

@@ -63,7 +63,7 @@ Vec3 tidy_centre(const Circle& circle) {
 void repeat_selected(Session& session, Pattern pattern) {
   const Selection chosen = session.topmost_selected();
   if (chosen.empty()) {
-    session.messages.error("Select the solid to repeat first: click it.");
+    session.interface.messages.error("Select the solid to repeat first: click it.");
     return;
   }
   NodeId made = 0;
@@ -107,7 +107,8 @@ void AxisTool::take(Session& session, const Vec3& centre, const Vec3& axis) {
 void AxisTool::press(Session& session, const Pointer& pointer) {
   follow(session, pointer);
   if (!hovered_) {
-    session.messages.tell("There is nothing under the pointer: click where something lights up.");
+    session.interface.messages.tell(
+        "There is nothing under the pointer: click where something lights up.");
     return;
   }
   const PickedSpot spot = *hovered_;
@@ -146,14 +147,14 @@ std::string PathTool::hint(const Session&) const {
 
 /// A vertex, else a place on a face, else on the ground; the latter two on the grid.
 std::optional<Vec3> PathTool::place_at(const Session& session, const Pointer& pointer) {
-  const bool snaps = session.snapping != pointer.control;
+  const bool snaps = session.view.snapping != pointer.control;
   const std::optional<PickedSpot> spot = picker_.any_at(session, pointer.at);
   if (spot && spot->kind == PickedFeature::Kind::vertex) return spot->point;
   Vec3 place;
   if (spot) {
     place = spot->point;
   } else {
-    const Ray ray = session.camera.ray(pointer.at, session.picture_size);
+    const Ray ray = session.view.camera.ray(pointer.at, session.view.picture_size);
     if (std::abs(ray.direction.z) < 1e-6) return std::nullopt;
     const double t = -ray.origin.z / ray.direction.z;
     if (t <= 0) return std::nullopt;
@@ -179,7 +180,7 @@ bool PathTool::key(Session& session, const Event& event) {
   }
   if (event.key != Key::enter) return false;
   if (path_.size() < 2) {
-    session.messages.tell("A path needs two points or more.");
+    session.interface.messages.tell("A path needs two points or more.");
     return true;
   }
   Pattern pattern;

@@ -60,7 +60,7 @@ class ShapeCollector {
   }
 
   bool is_presented(const Node& node) const {
-    return node.id == session_.presented && session_.selection().empty() && is_operation(node);
+    return node.id == session_.view.presented && session_.selection().empty() && is_operation(node);
   }
 
   /// The operands of the operation worked on, which may be far inside of what is drawn.
@@ -113,7 +113,7 @@ class ShapeCollector {
   }
 
   void add_surface(const Node& node, const Colour& colour, Look look) {
-    const Evaluation* evaluation = session_.evaluation();
+    const Evaluation* evaluation = session_.results.evaluation();
     const Evaluation::Entry* entry = evaluation ? evaluation->find(node.id) : nullptr;
     if (!entry || !entry->surface || entry->surface->positions.empty()) return;
     Shape shape;
@@ -205,8 +205,8 @@ Picture PictureMaker::model(const Session& session) const {
 const Picture& PictureMaker::steps(const Session& session) {
   const ViewSettings& settings = session.view;
   const StoryView view{settings.eight_way, settings.exploded, settings.labels, settings.dark,
-                       session.lit_row};
-  const StoryPlayer& player = session.player;
+                       session.interface.lit_row};
+  const StoryPlayer& player = session.results.player;
   if (story_ != player.shared() || step_ != player.step() || phase_ != player.phase() ||
       view != view_) {
     picture_ = player.picture(view);
@@ -220,9 +220,9 @@ const Picture& PictureMaker::steps(const Session& session) {
 
 Picture PictureMaker::make(const Session& session) {
   const ViewSettings& view = session.view;
-  const bool tells = session.mode() == Mode::steps && session.player.story();
-  const bool repairs = session.repair.is_open();
-  Picture picture = repairs ? picture_of(session.repair, theme(view.dark))
+  const bool tells = session.mode() == Mode::steps && session.results.player.story();
+  const bool repairs = session.results.repair.is_open();
+  Picture picture = repairs ? picture_of(session.results.repair, theme(view.dark))
                     : tells ? steps(session)
                             : model(session);
   if ((tells || repairs) && view.wireframe)
@@ -231,12 +231,12 @@ Picture PictureMaker::make(const Session& session) {
       surface.all_edges = true;
     }
   picture.hidden_lines = view.hidden_lines;
-  picture.camera = session.camera;
+  picture.camera = session.view.camera;
   picture.surroundings = theme(view.dark).surroundings;
   picture.surroundings.show_grid = view.grid;
   picture.surroundings.show_axes = view.axes;
   picture.section.active = view.section;
-  if (view.section) picture.section.plane = session.section_plane();
+  if (view.section) picture.section.plane = session.view.section_plane();
   if (view.section) outline_section(picture);
   return picture;
 }
@@ -263,9 +263,9 @@ void PictureMaker::outline_section(Picture& picture) {
 }
 
 Bounds Session::bounds_shown(bool selected_only) const {
-  if (repair.is_open()) return picture_of(repair, theme(view.dark)).bounds();
-  if (mode_ == Mode::steps && player.story())
-    return player.picture({view.eight_way, view.exploded, false, view.dark}).bounds();
+  if (results.repair.is_open()) return picture_of(results.repair, theme(view.dark)).bounds();
+  if (mode_ == Mode::steps && results.player.story())
+    return results.player.picture({view.eight_way, view.exploded, false, view.dark}).bounds();
   const auto is_meant = [&](NodeId id) {
     if (!selected_only) return true;
     for (const Node* node = scene().find(id); node; node = scene().find(node->parent))
@@ -279,7 +279,7 @@ Bounds Session::bounds_shown(bool selected_only) const {
 }
 
 bool Session::shows_operands() const {
-  if (presented != 0 && selection().empty()) return true;
+  if (view.presented != 0 && selection().empty()) return true;
   return view.shown != Shown::result && (worked_on(*this) != 0 || topmost_selected().size() >= 2);
 }
 

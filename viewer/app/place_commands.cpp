@@ -47,7 +47,7 @@ void place(Session& session, const std::string& what,
         }
       }))
     return;
-  session.messages.tell(
+  session.interface.messages.tell(
       what + (exact ? ": exact." : ": near, not exact (sums of two doubles cannot say it)."));
 }
 

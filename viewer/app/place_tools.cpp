@@ -51,7 +51,7 @@ void PlaceTool::press(Session& session, const Pointer& pointer) {
   const std::optional<PickedSpot> spot = pick(session, pointer.at);
   hovered_.reset();
   if (!spot) {
-    session.messages.tell("There is none under the pointer: click where one lights up.");
+    session.interface.messages.tell("There is none under the pointer: click where one lights up.");
     return;
   }
   if (!first_) {
@@ -60,7 +60,8 @@ void PlaceTool::press(Session& session, const Pointer& pointer) {
     return;
   }
   if (session.scene().is_below(spot->node, first_->mover)) {
-    session.messages.tell("That belongs to the solid that is to be moved: pick another solid.");
+    session.interface.messages.tell(
+        "That belongs to the solid that is to be moved: pick another solid.");
     return;
   }
   second_ = spot;
@@ -72,13 +73,13 @@ void PlaceTool::show(Session& session) {
   Scene scene = session.scene();
   scene.edit(first_->mover).placement = landing_.placement;
   session.document.show_draft(title(), std::move(scene));
-  session.dragging = title() + ": " + said(landing_.is_exact);
+  session.interface.dragging = title() + ": " + said(landing_.is_exact);
 }
 
 void PlaceTool::take(Session& session) {
   session.document.commit_draft();
-  session.dragging.clear();
-  session.messages.tell(title() + ": " + said(landing_.is_exact) + ".");
+  session.interface.dragging.clear();
+  session.interface.messages.tell(title() + ": " + said(landing_.is_exact) + ".");
   session.select(first_->mover);
   finish();
 }
@@ -95,7 +96,7 @@ bool PlaceTool::key(Session& session, const Event& event) {
 
 void PlaceTool::give_up(Session& session) {
   session.document.drop_draft();
-  session.dragging.clear();
+  session.interface.dragging.clear();
 }
 
 void PlaceTool::add_to(Picture& picture, const Session& session) const {

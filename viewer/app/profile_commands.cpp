@@ -22,7 +22,7 @@ class ProfileOnFace : public PictureTool {
   void press(Session& session, const Pointer& pointer) override {
     follow(session, pointer);
     if (!hovered_) {
-      session.messages.tell("There is no face under the pointer: click one.");
+      session.interface.messages.tell("There is no face under the pointer: click one.");
       return;
     }
     const SnapFeatures::Face& face = hovered_->face();
@@ -33,7 +33,7 @@ class ProfileOnFace : public PictureTool {
       const Vec3 p = back(end);
       guides.push_back({p.x, p.y});
     }
-    session.profile.begin_new(Primitive::Shape::extrusion, placement, std::move(guides));
+    session.interface.profile.begin_new(Primitive::Shape::extrusion, placement, std::move(guides));
     finish();
   }
   void add_to(Picture& picture, const Session& session) const override {
@@ -52,9 +52,9 @@ Command on_plane(const char* name, const char* title, Primitive::Shape shape, co
           "later.",
           "",
           {},
-          [=](Session& s) {
+          [=](InterfaceState& i) {
             const bool turns = shape == Primitive::Shape::revolution;
-            s.profile.begin_new(shape, turns ? Placement() : placement_on_plane({}, normal), {});
+            i.profile.begin_new(shape, turns ? Placement() : placement_on_plane({}, normal), {});
           }};
 }
 
@@ -90,7 +90,7 @@ std::vector<Command> profile_commands() {
               "Changes the outline of the selected extrusion or revolution.",
               "",
               {{Key::f4}},
-              [](Session& s) { s.profile.begin_edit(*s.scene().find(s.selected())); },
+              [](Session& s) { s.interface.profile.begin_edit(*s.scene().find(s.selected())); },
               has_profile}
           .after_line(),
   };

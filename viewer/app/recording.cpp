@@ -16,7 +16,7 @@ constexpr std::size_t most_bytes = std::size_t{3} << 30;
 std::size_t frames_of(const RecordingPlan& plan, const Session& session) {
   if (plan.kind == RecordingPlan::Kind::turntable) return plan.frames;
   if (plan.kind == RecordingPlan::Kind::picture) return 1;
-  const Story* story = session.player.story();
+  const Story* story = session.results.player.story();
   return story ? story->steps().size() : 0;
 }
 
@@ -53,9 +53,9 @@ void write_recording(const RecordingPlan& plan, const std::vector<Image>& images
 Recording::Recording(RecordingPlan plan, Session& session)
     : plan_(std::move(plan)),
       frames_(frames_of(plan_, session)),
-      camera_(session.camera),
-      step_(session.player.step()) {
-  session.player.play(false);
+      camera_(session.view.camera),
+      step_(session.results.player.step()) {
+  session.results.player.play(false);
 }
 
 bool Recording::prepare(Session& session) {
@@ -65,16 +65,16 @@ bool Recording::prepare(Session& session) {
   }
   if (plan_.kind == RecordingPlan::Kind::turntable) {
     const double part = static_cast<double>(images_.size()) / static_cast<double>(frames_);
-    session.camera = camera_;
-    session.camera.azimuth = camera_.azimuth + glm::two_pi<double>() * part;
+    session.view.camera = camera_;
+    session.view.camera.azimuth = camera_.azimuth + glm::two_pi<double>() * part;
   }
-  if (plan_.kind == RecordingPlan::Kind::steps) session.player.go_to(images_.size());
+  if (plan_.kind == RecordingPlan::Kind::steps) session.results.player.go_to(images_.size());
   return true;
 }
 
 void Recording::stop(Session& session) const {
-  session.camera = camera_;
-  if (plan_.kind == RecordingPlan::Kind::steps) session.player.go_to(step_);
+  session.view.camera = camera_;
+  if (plan_.kind == RecordingPlan::Kind::steps) session.results.player.go_to(step_);
 }
 
 }  // namespace sectile::viewer

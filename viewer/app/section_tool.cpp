@@ -38,7 +38,7 @@ glm::dvec3 tidy(const glm::dvec3& n) {
 }  // namespace
 
 Handles section_handles(const Session& session, HandleMode mode) {
-  const glm::dvec4 plane = session.section_plane();
+  const glm::dvec4 plane = session.view.section_plane();
   const glm::dvec3 n(plane);
   const Bounds bounds = session.bounds_of_all();
   const glm::dvec3 middle = bounds.is_empty() ? glm::dvec3(0) : bounds.centre();
@@ -48,12 +48,12 @@ Handles section_handles(const Session& session, HandleMode mode) {
   handles.axes[2] = n;
   handles.axes[0] = across(n);
   handles.axes[1] = glm::cross(n, handles.axes[0]);
-  handles.size = 90 * session.camera.pixel_length(handles.origin, session.picture_size);
+  handles.size = 90 * session.view.camera.pixel_length(handles.origin, session.view.picture_size);
   return handles;
 }
 
 std::string SectionTool::hint(const Session& session) const {
-  const glm::dvec4 p = session.section_plane();
+  const glm::dvec4 p = session.view.section_plane();
   return "Drag the arrow to move the plane, a ring to tilt it (Ctrl: freely); click a face to put "
          "it there \u00B7 X, Y, Z: across this axis \u00B7 T: the other side\n"
          "Normal " +
@@ -64,12 +64,12 @@ std::string SectionTool::hint(const Session& session) const {
 std::optional<HandlePart> SectionTool::part_at(const Session& session, glm::dvec2 pixel) const {
   const Handles handles = section_handles(session, HandleMode::rotate);
   const auto seen = [&](const glm::dvec3& p) {
-    return glm::dvec2(session.camera.project(p, session.picture_size));
+    return glm::dvec2(session.view.camera.project(p, session.view.picture_size));
   };
   const glm::dvec2 tip = seen(handles.origin + handles.size * handles.axes[2]);
   if (distance_to_segment(pixel, seen(handles.origin), tip) <= arrow_reach)
     return HandlePart::axis_z;
-  const auto ring = handles.part_at(session.camera, pixel, session.picture_size);
+  const auto ring = handles.part_at(session.view.camera, pixel, session.view.picture_size);
   const bool tilts = ring == HandlePart::ring_x || ring == HandlePart::ring_y;
   return tilts ? ring : std::nullopt;
 }
@@ -80,9 +80,9 @@ void SectionTool::follow(Session& session, const Pointer& pointer) {
     face_ = hovered_part_ ? std::nullopt : picker_.face_at(session, pointer.at);
     return;
   }
-  const Ray ray = session.camera.ray(pointer.at, session.picture_size);
+  const Ray ray = session.view.camera.ray(pointer.at, session.view.picture_size);
   const HandleChange change = drag_->change(ray);
-  const bool snaps = session.snapping != pointer.control;
+  const bool snaps = session.view.snapping != pointer.control;
   const glm::dvec3 n(start_);
   if (drag_->part() == HandlePart::axis_z) {
     double place = glm::dot(n, origin_ + change.move);
@@ -102,10 +102,11 @@ void SectionTool::press(Session& session, const Pointer& pointer) {
   if (hovered_part_) {
     const bool moves = *hovered_part_ == HandlePart::axis_z;
     const Handles handles = section_handles(session, moves ? HandleMode::move : HandleMode::rotate);
-    start_ = session.section_plane();
+    start_ = session.view.section_plane();
     origin_ = handles.origin;
-    drag_.emplace(handles, *hovered_part_, session.camera.ray(pointer.at, session.picture_size),
-                  session.camera);
+    drag_.emplace(handles, *hovered_part_,
+                  session.view.camera.ray(pointer.at, session.view.picture_size),
+                  session.view.camera);
     return;
   }
   face_ = picker_.face_at(session, pointer.at);

@@ -6,22 +6,6 @@
 #include "scene/transforms.h"
 
 namespace sectile::viewer {
-namespace {
-
-/// A box around the moved corners of a box.
-Bounds moved(const Bounds& bounds, const glm::dmat4& by) {
-  Bounds result;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 p(corner & 1 ? bounds.high.x : bounds.low.x,
-                       corner & 2 ? bounds.high.y : bounds.low.y,
-                       corner & 4 ? bounds.high.z : bounds.low.z, 1);
-    result.add(glm::dvec3(by * p));
-  }
-  return result;
-}
-
-}  // namespace
-
 Session::Session(const std::filesystem::path& data_folder, bool dark) : document(data_folder) {
   view.dark = dark;
 }
@@ -32,7 +16,7 @@ bool Session::change(const std::string& what, const std::function<void(Scene&)>&
     edit(changed);
   } catch (const std::exception& error) {
     document.drop_draft();
-    messages.error(what + " did not work: " + error.what());
+    interface.messages.error(what + " did not work: " + error.what());
     return false;
   }
   document.commit(what, std::move(changed));
@@ -44,14 +28,14 @@ void Session::undo() {
   if (!document.can_undo()) return;
   const std::string what = document.undo_name();
   document.undo();
-  messages.tell("Undone: " + what);
+  interface.messages.tell("Undone: " + what);
 }
 
 void Session::redo() {
   if (document.has_draft() || !document.can_redo()) return;
   const std::string what = document.redo_name();
   document.redo();
-  messages.tell("Redone: " + what);
+  interface.messages.tell("Redone: " + what);
 }
 
 bool Session::is_selected(NodeId id) const {
@@ -82,57 +66,35 @@ Selection Session::topmost_selected() const {
 }
 
 bool Session::is_modelling() const {
-  return mode_ == Mode::model && !repair.is_open();
+  return mode_ == Mode::model && !results.repair.is_open();
 }
 
 void Session::set_mode(Mode wanted) {
   if (wanted == Mode::steps && story_node() == 0) {
-    messages.error(
+    interface.messages.error(
         "There are no steps yet: select two solids and choose Unite, Intersect or Subtract first, "
         "or "
         "open one of the samples.");
     return;
   }
-  if (mode_ == Mode::steps && wanted == Mode::model) player.play(false);
+  if (mode_ == Mode::steps && wanted == Mode::model) results.player.play(false);
   mode_ = wanted;
-}
-
-void Session::look_at(const Bounds& bounds) {
-  if (!bounds.is_empty()) camera.look_at(bounds, picture_size.x / picture_size.y);
 }
 
 void Session::look_at_selection() {
   const Bounds bounds = bounds_shown(true);
   if (bounds.is_empty()) return look_at_all();
-  look_at(bounds);
+  view.look_at(bounds);
 }
 
 void Session::look_at_all() {
-  look_at(bounds_shown(false));
-}
-
-Bounds Session::bounds_of(NodeId id) const {
-  Bounds bounds;
-  const Node* node = scene().find(id);
-  if (!node) return bounds;
-  const Evaluation::Entry* entry = evaluation_ ? evaluation_->find(id) : nullptr;
-  if (entry && entry->surface && !entry->surface->bounds.is_empty())
-    return moved(entry->surface->bounds, matrix_of(scene().world(id)));
-  for (const NodeId child : node->children) bounds.add(bounds_of(child));
-  return bounds;
-}
-
-Bounds Session::bounds_of_all() const {
-  Bounds bounds;
-  for (const NodeId root : scene().roots())
-    if (scene().find(root)->visible) bounds.add(bounds_of(root));
-  return bounds;
+  view.look_at(bounds_shown(false));
 }
 
 void Session::show_section(bool on, int axis) {
   view.section = on;
   view.section_axis = axis;
-  const Bounds bounds = repair.is_open() ? bounds_shown(false) : bounds_of_all();
+  const Bounds bounds = results.repair.is_open() ? bounds_shown(false) : bounds_of_all();
   if (!on || view.section_oblique || bounds.is_empty()) return;
   const double low = bounds.low[axis], high = bounds.high[axis];
   if (view.section_place <= low || view.section_place >= high)
@@ -158,45 +120,23 @@ void Session::isolate_selected() {
     return;
   }
   isolated_ = topmost_selected();
-  if (!isolated_.empty()) messages.tell("Only the selection is shown. Press / to show all again.");
+  if (!isolated_.empty())
+    interface.messages.tell("Only the selection is shown. Press / to show all again.");
 }
 
 void Session::begin_tool(std::unique_ptr<PictureTool> wanted) {
   end_tool();
   document.drop_draft();
-  tool = std::move(wanted);
+  interface.tool = std::move(wanted);
 }
 
 void Session::end_tool() {
-  if (tool) tool->give_up(*this);
-  tool.reset();
+  if (interface.tool) interface.tool->give_up(*this);
+  interface.tool.reset();
 }
 
 void Session::drop_done_tool() {
-  if (tool && tool->is_done()) tool.reset();
-}
-
-glm::dvec4 Session::section_plane() const {
-  glm::dvec4 plane{0, 0, 0, -view.section_place};
-  if (view.section_oblique)
-    plane = {view.section_normal, -view.section_place};
-  else
-    plane[view.section_axis] = 1;
-  return view.section_flipped ? -plane : plane;
-}
-
-void ViewSettings::set_section(const glm::dvec3& normal, double place) {
-  section_oblique = true;
-  section_normal = normal;
-  section_place = place;
-  section_flipped = false;
-  for (int axis = 0; axis < 3; ++axis)
-    if (std::abs(normal[axis]) == 1) {
-      section_oblique = false;
-      section_axis = axis;
-      section_flipped = normal[axis] < 0;
-      section_place = normal[axis] * place;
-    }
+  if (interface.tool && interface.tool->is_done()) interface.tool.reset();
 }
 
 void Session::after_saving(const std::string& about, std::function<void()> then) {
@@ -209,15 +149,15 @@ void Session::after_saving(const std::string& about, std::function<void()> then)
       if (save(document.path())) then();
       return;
     }
-    dialogs.browse(FileBrowser::Purpose::save, "scene.sectile",
-                   [this, then](const std::filesystem::path& path) {
-                     if (save(path)) then();
-                   });
+    interface.dialogs.browse(FileBrowser::Purpose::save, "scene.sectile",
+                             [this, then](const std::filesystem::path& path) {
+                               if (save(path)) then();
+                             });
   };
   question.answers = {{"question.save", "Save", save_first},
                       {"question.discard", "Do not save", then},
                       {"question.cancel", "Cancel", [] {}}};
-  dialogs.ask(std::move(question));
+  interface.dialogs.ask(std::move(question));
 }
 
 }  // namespace sectile::viewer

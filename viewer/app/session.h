@@ -4,60 +4,21 @@
 
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/dialogs.h"
 #include "app/document.h"
 #include "app/file_work.h"
-#include "app/messages.h"
-#include "app/number_field.h"
-#include "app/picture_tool.h"
-#include "app/profile_editor.h"
-#include "app/recent_files.h"
-#include "app/recording.h"
-#include "app/repair_bench.h"
-#include "app/story_player.h"
-#include "app/tour_guide.h"
-#include "app/view_settings.h"
-#include "evaluation/evaluator.h"
-#include "picture/camera.h"
-#include "scene/handles.h"
-#include "scene/mesh_parts.h"
+#include "app/interface_state.h"
+#include "app/results.h"
+#include "app/view_state.h"
 
 namespace sectile::viewer {
 
 enum class Mode { model, steps };
 
-struct SolidNumbers {
-  Solid of;
-  double volume = 0, area = 0;
-  SolidCounts counts;
-};
-
-/// A name that is being typed in the tree.
-struct Renaming {
-  NodeId node = 0;  ///< 0: none
-  bool begun = false;
-  std::string text;
-};
-
-/// The desktop's, or one of the program alone.
-struct Clipboard {
-  std::function<std::string()> read;
-  std::function<void(const std::string&)> write;
-};
-
-/// From where the sphere of a step is seen; it turns to what is to be seen at each new step.
-struct SphereTurn {
-  std::shared_ptr<const Story> story;
-  std::size_t step = 0;
-  Camera camera;
-};
-
+/// Four parts, each of which may be handed on alone, and what takes several of them.
 class Session {
  public:
   Session(const std::filesystem::path& data_folder, bool dark);
@@ -131,16 +92,14 @@ class Session {
   bool passes_isolation(NodeId id) const;
   void look_at_all();
   /// From here, instead of framing what is being opened.
-  void keep_camera(const Camera& wanted) { camera = wanted, frame_next_ = false; }
-  Bounds bounds_of(NodeId id) const;
-  Bounds bounds_of_all() const;
+  void keep_camera(const Camera& wanted) { view.camera = wanted, frame_next_ = false; }
+  Bounds bounds_of(NodeId id) const { return results.bounds_of(scene(), id); }
+  Bounds bounds_of_all() const { return results.bounds_of_all(scene()); }
   /// Of what the picture shows, operands and parts pulled apart included: in the steps of the step;
   /// else of what is selected, or of all.
   Bounds bounds_shown(bool selected_only) const;
   /// Where the section's plane would cut nothing it goes to the middle.
   void show_section(bool on, int axis);
-  /// The plane of the section in world coordinates: cut away is what lies on its positive side.
-  glm::dvec4 section_plane() const;
 
   // --- Tools in the picture ---
   void begin_tool(std::unique_ptr<PictureTool> wanted);  ///< the one before is given up
@@ -148,10 +107,6 @@ class Session {
   void drop_done_tool();
 
   // --- Results ---
-  const Evaluation* evaluation() const { return evaluation_.get(); }
-  /// Null: not computed, or an error, or a group that no operation uses.
-  const Solid* solid(NodeId id) const;
-  std::string error_of(NodeId id) const;  ///< why there is none, in plain words; or empty
   /// The Boolean whose steps are shown: the selected one, the one above the selection, or the
   /// first.
   NodeId story_node() const;
@@ -163,8 +118,6 @@ class Session {
   /// result of all before it.
   std::size_t told_operand() const;
   void tell_operand(std::size_t which);
-  /// Volume, area and counts, computed once for each solid.
-  const SolidNumbers& numbers(NodeId id, const Solid& solid);
 
   /// Looks what was computed in the meantime. `wait`: until all of it is.
   void update(double seconds, bool wait);
@@ -174,68 +127,28 @@ class Session {
   void cancel();
 
   Document document;
-  Messages messages;
-  Dialogs dialogs;
-  StoryPlayer player;
-  TourGuide tour;
-  ViewSettings view;
-  Camera camera;
-  glm::dvec2 picture_size{800, 600};
-  HandleMode handles = HandleMode::move;
-  bool local_axes = false;
-  bool snapping = true;
-  std::string dragging;  ///< how far a drag of a handle has come and what it touches, in words
-  Renaming renaming;
-  TypedField typed;
-  Clipboard clipboard;
-  RecentFiles recent;
-  RecordingPlan recording_plan;
-  std::optional<Recording> recording;  ///< under way
-  ProfileEditor profile;
-  RepairBench repair;                 ///< of files that are no solids
-  bool context_menu = false;          ///< is to open where the pointer is
-  std::unique_ptr<PictureTool> tool;  ///< null: none
-  glm::dvec2 pointer{0};              ///< where the mouse is in the picture
-  NodeId presented = 0;  ///< of a sample: its operands are shown alone until something is selected
-  std::vector<LegendKey> legend;  ///< of the picture in the last frame
-  SphereTurn sphere;
-  int lit_row = -1;         ///< of the step's table: the one that is pointed at
-  bool adding = false;      ///< the list of primitives is to open
-  bool view_panel = false;  ///< the view settings are open
-  std::string typed_stop;   ///< a break point that is being typed
-  std::pair<std::string, std::string> typed_pair;  ///< vertices of A and of B, for another
-  bool wants_to_close = false;
+  Results results;
+  ViewState view;
+  InterfaceState interface;
 
  private:
-  void evaluate();
-  void take_evaluation();
   /// `work` may throw what becomes a message.
   void in_background(FileWork::Kind kind, std::string activity,
                      std::function<FileWork::Finish()> work);
-  /// Whose union the solid of a node is: itself, or the members of a group. Empty if there is none.
-  std::vector<Solid> members_of(NodeId id) const;
-  void tell_new_errors();
   void tell_new_first_operands(const Scene& before);
   void tell_story();
-  void look_at(const Bounds& bounds);
-  std::size_t wished_operand_ = 0;  ///< 0: the last
   void frame_once_computed();
-  std::vector<Solid> operands_of(const Node& node) const;
   void recover(const LostWork& work);
   void take_parts(const std::filesystem::path& path, std::vector<MeshPart> parts,
                   std::vector<BrokenMesh> broken);
   void look_at_repair();
 
-  Evaluator evaluator_;
   FileWork files_;
-  std::shared_ptr<const Evaluation> evaluation_;
-  std::uint64_t seen_revision_ = 0, newest_request_ = 0;
+  std::size_t wished_operand_ = 0;  ///< 0: the last
   Mode mode_ = Mode::model;
   Selection isolated_;  ///< empty: everything is shown
   Camera camera_before_repair_;
   bool frame_next_ = false;  ///< look at everything as soon as it is computed
-  std::map<NodeId, std::string> told_errors_;
-  std::map<NodeId, SolidNumbers> numbers_;
 };
 
 }  // namespace sectile::viewer

@@ -7,8 +7,9 @@ namespace sectile::viewer {
 void Session::copy_selected() {
   const Selection chosen = topmost_selected();
   if (chosen.empty()) return;
-  clipboard.write(copied_text(scene(), chosen));
-  messages.tell(chosen.size() == 1 ? "Copied." : std::to_string(chosen.size()) + " solids copied.");
+  interface.clipboard.write(copied_text(scene(), chosen));
+  interface.messages.tell(chosen.size() == 1 ? "Copied."
+                                             : std::to_string(chosen.size()) + " solids copied.");
 }
 
 void Session::cut_selected() {
@@ -20,9 +21,9 @@ void Session::cut_selected() {
 void Session::paste() {
   Scene clip;
   try {
-    clip = copied_scene(clipboard.read());
+    clip = copied_scene(interface.clipboard.read());
   } catch (const std::exception&) {
-    messages.error(
+    interface.messages.error(
         "The clipboard holds no solids. Copy some first (Ctrl+C), here or in another "
         "window.");
     return;

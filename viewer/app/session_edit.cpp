@@ -52,7 +52,8 @@ void Session::combine(Operation operation) {
   // Without a choice, the two solids of a scene of two are meant.
   if (operands.size() < 2 && scene().roots().size() == 2) operands = scene().roots();
   if (operands.size() < 2) {
-    messages.error("Select two solids first: click one, then hold Shift and click the other.");
+    interface.messages.error(
+        "Select two solids first: click one, then hold Shift and click the other.");
     return;
   }
   NodeId made = 0;
@@ -64,7 +65,8 @@ void Session::combine(Operation operation) {
 void Session::split() {
   const std::vector<NodeId> chosen = topmost_selected();
   if (chosen.size() != 1) {
-    messages.error("Select the one solid to split. The section plane says where it is cut.");
+    interface.messages.error(
+        "Select the one solid to split. The section plane says where it is cut.");
     return;
   }
   if (!view.section) {
@@ -73,10 +75,10 @@ void Session::split() {
     view.section_oblique = false;
     const Bounds bounds = bounds_of(chosen.front());
     view.section_place = bounds.is_empty() ? 0 : bounds.centre().z;
-    messages.tell("Place the section plane under View, then split again.");
+    interface.messages.tell("Place the section plane under View, then split again.");
     return;
   }
-  const glm::dvec4 plane = section_plane();
+  const glm::dvec4 plane = view.section_plane();
   std::pair<NodeId, NodeId> made;
   if (change("Split", [&](Scene& changed) {
         made = changed.split(chosen.front(), {plane.x, plane.y, plane.z, plane.w});
@@ -115,7 +117,7 @@ void Session::tell_new_first_operands(const Scene& before) {
     if (before.at(id).children.empty()) continue;
     const NodeId was = before.at(id).children.front();
     if (scene().find(was)) continue;
-    messages.tell(
+    interface.messages.tell(
         "\"" + before.at(was).name + "\", from which \"" + node.name + "\" was cut, is deleted: " +
         (node.children.empty()
              ? "nothing is left to cut."
@@ -134,7 +136,7 @@ void Session::group_selected() {
 void Session::ungroup_selected() {
   const Node* node = scene().find(selected());
   if (!node || !std::holds_alternative<Group>(node->what)) {
-    messages.error("Select a group to take apart.");
+    interface.messages.error("Select a group to take apart.");
     return;
   }
   const std::vector<NodeId> members = node->children;
@@ -155,9 +157,9 @@ void Session::hide_selected() {
 }
 
 void Session::take_profile() {
-  Primitive primitive = profile.primitive;
-  primitive.profile = profile.sketch.profile();
-  NodeId made = profile.node;
+  Primitive primitive = interface.profile.primitive;
+  primitive.profile = interface.profile.sketch.profile();
+  NodeId made = interface.profile.node;
   if (change(made ? "Edit profile" : "Draw profile", [&](Scene& changed) {
         if (made) {
           changed.edit(made).what = primitive;
@@ -165,11 +167,11 @@ void Session::take_profile() {
         }
         Node node;
         node.what = primitive;
-        node.placement = profile.placement;
+        node.placement = interface.profile.placement;
         made = changed.add(std::move(node));
       }))
     select(made);
-  profile.open = false;
+  interface.profile.open = false;
 }
 
 void Session::rename(NodeId id, const std::string& name) {

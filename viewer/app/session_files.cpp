@@ -49,7 +49,7 @@ std::vector<BrokenMesh> take_broken(const std::filesystem::path& path,
 
 void Session::start(Scene scene, std::filesystem::path path) {
   document.start(std::move(scene), std::move(path));
-  told_errors_.clear();
+  results.forget_errors();
   isolated_.clear();
   mode_ = Mode::model;
   frame_next_ = true;
@@ -65,9 +65,9 @@ void Session::in_background(FileWork::Kind kind, std::string activity,
     try {
       return work();
     } catch (const FileError& error) {
-      return [this, text = about_file(error.what())] { messages.error(text); };
+      return [this, text = about_file(error.what())] { interface.messages.error(text); };
     } catch (const std::exception& error) {
-      return [this, text = std::string(error.what())] { messages.error(text); };
+      return [this, text = std::string(error.what())] { interface.messages.error(text); };
     }
   });
 }
@@ -80,7 +80,7 @@ void Session::open(const std::filesystem::path& path) {
                   return [this, path, scene] {
                     after_saving("Open " + path.filename().string(), [this, path, scene] {
                       start(*scene, path);
-                      recent.add(path);
+                      interface.recent.add(path);
                     });
                   };
                 });
@@ -99,13 +99,13 @@ void Session::take_parts(const std::filesystem::path& path, std::vector<MeshPart
                          std::vector<BrokenMesh> broken) {
   if (!parts.empty()) add_imported(path, std::move(parts));
   if (broken.empty()) return;
-  if (!repair.is_open()) {
+  if (!results.repair.is_open()) {
     end_tool();
     document.drop_draft();
     set_mode(Mode::model);
-    camera_before_repair_ = camera;
+    camera_before_repair_ = view.camera;
   }
-  for (BrokenMesh& mesh : broken) repair.put(std::move(mesh));
+  for (BrokenMesh& mesh : broken) results.repair.put(std::move(mesh));
 }
 
 void Session::add_imported(const std::filesystem::path& path, std::vector<MeshPart> parts) {
@@ -121,37 +121,37 @@ void Session::add_imported(const std::filesystem::path& path, std::vector<MeshPa
     }
   });
   if (!done) return;
-  recent.add(path);
+  interface.recent.add(path);
   select(std::move(added));
   if (first) frame_next_ = true;
 }
 
 void Session::take_repaired() {
-  const std::shared_ptr<const RepairPreview> preview = repair.shared_preview();
+  const std::shared_ptr<const RepairPreview> preview = results.repair.shared_preview();
   if (!preview || !preview->mesh) return;
-  MeshPart part = repair.subject().part;
-  const std::filesystem::path path = repair.subject().path;
+  MeshPart part = results.repair.subject().part;
+  const std::filesystem::path path = results.repair.subject().path;
   part.mesh = preview->mesh;
-  repair.close();
+  results.repair.close();
   const std::string name = part.name;
   add_imported(path, {std::move(part)});
   std::string done;
   for (const RepairChange& change : preview->report.changes)
     done += (done.empty() ? ": " : "; ") + in_words(change);
-  messages.tell(name + " was repaired" + done + ".");
+  interface.messages.tell(name + " was repaired" + done + ".");
 }
 
 void Session::give_up_repair() {
-  repair.close();
-  if (!repair.is_open()) camera = camera_before_repair_;
+  results.repair.close();
+  if (!results.repair.is_open()) view.camera = camera_before_repair_;
 }
 
 void Session::look_at_repair() {
-  if (!std::exchange(repair.looks, false) || !repair.defects()) return;
-  const MeshDefects& defects = *repair.defects();
+  if (!std::exchange(results.repair.looks, false) || !results.repair.defects()) return;
+  const MeshDefects& defects = *results.repair.defects();
   Bounds bounds = defects.bounds;
-  if (repair.lit >= 0) {
-    const MeshDefect& defect = defects.list.at(static_cast<std::size_t>(repair.lit));
+  if (results.repair.lit >= 0) {
+    const MeshDefect& defect = defects.list.at(static_cast<std::size_t>(results.repair.lit));
     if (defect.bounds.is_empty()) return;
     // Of large faces that cross, the place where they do; of a place alone, some of what is around.
     const bool in_part = defect.kind == MeshDefect::Kind::contact && defect.place;
@@ -160,55 +160,41 @@ void Session::look_at_repair() {
     if (in_part) around = std::min(around, 0.3 * bounds.radius());
     bounds = {centre - glm::dvec3(around), centre + glm::dvec3(around)};
   }
-  look_at(bounds);
+  view.look_at(bounds);
 }
 
 void Session::open_sample(const std::string& name) {
   start(sample_scene(name), {});
-  presented = scene().roots().front();
+  view.presented = scene().roots().front();
   const auto& titles = sample_titles();
   const auto found = std::find_if(titles.begin(), titles.end(),
                                   [&](const SampleTitle& t) { return t.name == name; });
-  if (found != titles.end()) messages.tell(found->figure + ": " + found->title);
+  if (found != titles.end()) interface.messages.tell(found->figure + ": " + found->title);
 }
 
 bool Session::save(const std::filesystem::path& path) {
   try {
     document.save(path);
   } catch (const std::exception& error) {
-    messages.error(error.what());
+    interface.messages.error(error.what());
     return false;
   }
-  recent.add(path);
-  messages.tell("Saved as " + path.filename().string() + ".");
+  interface.recent.add(path);
+  interface.messages.tell("Saved as " + path.filename().string() + ".");
   return true;
-}
-
-std::vector<Solid> Session::members_of(NodeId id) const {
-  const Solid* own = solid(id);
-  const Node& node = scene().at(id);
-  if (own && !own->is_empty()) return {*own};
-  std::vector<Solid> members;
-  if (own || !std::holds_alternative<Group>(node.what)) return members;
-  for (const NodeId child : node.children) {
-    const std::vector<Solid> more = members_of(child);
-    // What is left out in silence would be missed.
-    if (more.empty()) return {};
-    members.insert(members.end(), more.begin(), more.end());
-  }
-  return members;
 }
 
 void Session::export_solid(const std::filesystem::path& path) {
   NodeId id = selected();
   if (selection().size() > 1 || (id == 0 && scene().roots().size() != 1)) {
-    messages.error("Select the one solid to export: the scene has several.");
+    interface.messages.error("Select the one solid to export: the scene has several.");
     return;
   }
   if (id == 0) id = scene().roots().front();
-  const std::vector<Solid> exported = members_of(id);
+  const std::vector<Solid> exported = results.members_of(scene(), id);
   if (exported.empty()) {
-    messages.error("There is nothing to export: this solid is empty or could not be computed.");
+    interface.messages.error(
+        "There is nothing to export: this solid is empty or could not be computed.");
     return;
   }
   in_background(FileWork::Kind::writing, "Writing " + path.filename().string() + "\u2026",
@@ -220,7 +206,7 @@ void Session::export_solid(const std::filesystem::path& path) {
                   rounding.numbers = numbers_of(format_of(path));
                   write_mesh(path, rounded_mesh(whole, rounding).mesh);
                   return [this, path] {
-                    messages.tell("Exported to " + path.filename().string() + ".");
+                    interface.messages.tell("Exported to " + path.filename().string() + ".");
                   };
                 });
 }
@@ -278,57 +264,58 @@ void Session::export_all(const std::filesystem::path& path) {
   for (const NodeId root : scene().roots()) {
     if (!scene().is_shown(root)) continue;
     const Node& node = scene().at(root);
-    ExportedSolid exported{node.name, node.colour, members_of(root)};
+    ExportedSolid exported{node.name, node.colour, results.members_of(scene(), root)};
     if (exported.members.empty())
-      return messages.error("\"" + node.name +
-                            "\" is empty or could not be computed: hide it to export the others.");
+      return interface.messages.error(
+          "\"" + node.name + "\" is empty or could not be computed: hide it to export the others.");
     solids.push_back(std::move(exported));
   }
   if (solids.empty()) {
-    messages.error("There is nothing to export: no solid is shown.");
+    interface.messages.error("There is nothing to export: no solid is shown.");
     return;
   }
-  in_background(
-      FileWork::Kind::writing, "Writing " + std::to_string(solids.size()) + " solids\u2026",
-      [this, path, solids]() -> FileWork::Finish {
-        Model model;
-        for (const ExportedSolid& exported : solids)
-          model.meshes.push_back(mesh_of(exported, numbers_of(format_of(path))));
-        const std::size_t files = write_solids(path, model);
-        return [this, path, files, count = solids.size()] {
-          messages.tell(std::to_string(count) + " solids exported to " +
-                        (files == 1
-                             ? path.filename().string()
-                             : std::to_string(files) + " files in " + path.parent_path().string()) +
-                        ".");
-        };
-      });
+  in_background(FileWork::Kind::writing,
+                "Writing " + std::to_string(solids.size()) + " solids\u2026",
+                [this, path, solids]() -> FileWork::Finish {
+                  Model model;
+                  for (const ExportedSolid& exported : solids)
+                    model.meshes.push_back(mesh_of(exported, numbers_of(format_of(path))));
+                  const std::size_t files = write_solids(path, model);
+                  return [this, path, files, count = solids.size()] {
+                    interface.messages.tell(std::to_string(count) + " solids exported to " +
+                                            (files == 1 ? path.filename().string()
+                                                        : std::to_string(files) + " files in " +
+                                                              path.parent_path().string()) +
+                                            ".");
+                  };
+                });
 }
 
 void Session::choose_recording_file() {
-  const bool film = recording_plan.is_film();
-  dialogs.browse(film ? FileBrowser::Purpose::film : FileBrowser::Purpose::picture,
-                 film ? "film.gif" : "picture.png", [this](const std::filesystem::path& path) {
-                   recording_plan.path = path;
-                   record(recording_plan);
-                 });
+  const bool film = interface.recording_plan.is_film();
+  interface.dialogs.browse(film ? FileBrowser::Purpose::film : FileBrowser::Purpose::picture,
+                           film ? "film.gif" : "picture.png",
+                           [this](const std::filesystem::path& path) {
+                             interface.recording_plan.path = path;
+                             record(interface.recording_plan);
+                           });
 }
 
 void Session::record(const RecordingPlan& plan) {
   if (const std::string problem = problem_of(plan, *this); !problem.empty())
-    return messages.error(problem);
-  recording.emplace(plan, *this);
+    return interface.messages.error(problem);
+  interface.recording.emplace(plan, *this);
 }
 
 void Session::write_recorded() {
-  const auto images = std::make_shared<const std::vector<Image>>(recording->take());
-  const RecordingPlan plan = recording->plan();
-  recording.reset();
+  const auto images = std::make_shared<const std::vector<Image>>(interface.recording->take());
+  const RecordingPlan plan = interface.recording->plan();
+  interface.recording.reset();
   in_background(FileWork::Kind::writing, "Writing " + plan.path.filename().string() + "\u2026",
                 [this, plan, images]() -> FileWork::Finish {
                   write_recording(plan, *images);
                   return [this, plan] {
-                    messages.tell("Saved as " + plan.path.filename().string() + ".");
+                    interface.messages.tell("Saved as " + plan.path.filename().string() + ".");
                   };
                 });
 }
@@ -342,7 +329,7 @@ void Session::offer_recovery(const std::filesystem::path& data_folder) {
     question.answers = {{"question.recover", "Open it", [this, work] { recover(work); }},
                         {"question.discard", "Throw it away", [work] { Recovery::discard(work); }},
                         {"question.later", "Ask me later", [] {}}};
-    dialogs.ask(std::move(question));
+    interface.dialogs.ask(std::move(question));
     return;  // one at a time: the others are offered at the next start
   }
 }
@@ -355,7 +342,7 @@ void Session::recover(const LostWork& work) {
     frame_next_ = true;
     Recovery::discard(work);
   } catch (const std::exception& error) {
-    messages.error(std::string("The unsaved work cannot be read: ") + error.what());
+    interface.messages.error(std::string("The unsaved work cannot be read: ") + error.what());
   }
 }
 

@@ -35,7 +35,8 @@ ExactTransform way_up(const Scene& scene, NodeId id, NodeId top) {
 
 /// The solid that a node stands for, if it is not merely a group.
 const Solid* inside_of(const Session& session, NodeId id) {
-  const Evaluation::Entry* entry = session.evaluation() ? session.evaluation()->find(id) : nullptr;
+  const Evaluation::Entry* entry =
+      session.results.evaluation() ? session.results.evaluation()->find(id) : nullptr;
   return entry && entry->error.empty() && !entry->inside.is_empty() ? &entry->inside : nullptr;
 }
 

@@ -6,12 +6,12 @@ namespace sectile::viewer {
 
 std::vector<Command> step_commands() {
   const auto in_steps = [](const Session& s) {
-    return s.mode() == Mode::steps && s.player.story() != nullptr;
+    return s.mode() == Mode::steps && s.results.player.story() != nullptr;
   };
   const auto change_phase = [](Session& s, int by) {
-    const int phase = static_cast<int>(s.player.phase()) + by;
+    const int phase = static_cast<int>(s.results.player.phase()) + by;
     if (phase >= 0 && phase <= static_cast<int>(Phase::cleanup))
-      s.player.go_to(static_cast<Phase>(phase), 0);
+      s.results.player.go_to(static_cast<Phase>(phase), 0);
   };
   return {
       {"mode.model",
@@ -41,7 +41,7 @@ std::vector<Command> step_commands() {
               "One step back.",
               icons::step_back,
               {{Key::left}},
-              [](Session& s) { s.player.previous(); },
+              [](Results& r) { r.player.previous(); },
               in_steps}
           .after_line(),
       {"steps.next",
@@ -49,23 +49,24 @@ std::vector<Command> step_commands() {
        "One step forward.",
        icons::step_forward,
        {{Key::right}},
-       [](Session& s) { s.player.next(); },
+       [](Results& r) { r.player.next(); },
        in_steps},
       {"steps.play",
        "Play",
        "Plays the steps, or stops.",
        icons::play,
        {{Key::space}},
-       [](Session& s) { s.player.play(!s.player.is_playing()); },
+       [](Results& r) { r.player.play(!r.player.is_playing()); },
        in_steps,
-       [](const Session& s) { return s.player.is_playing(); }},
+       [](const Results& r) { return r.player.is_playing(); }},
       Command{"steps.next_special",
               "Next special case",
               "To the next step at which something touches instead of crossing.",
               icons::star,
               {{'N'}},
               [](Session& s) {
-                if (!s.player.next_special(false)) s.messages.tell("No further special case.");
+                if (!s.results.player.next_special(false))
+                  s.interface.messages.tell("No further special case.");
               },
               in_steps}
           .after_line(),
@@ -75,7 +76,8 @@ std::vector<Command> step_commands() {
        "",
        {{'N', false, true}},
        [](Session& s) {
-         if (!s.player.next_special(true)) s.messages.tell("No special case before this one.");
+         if (!s.results.player.next_special(true))
+           s.interface.messages.tell("No special case before this one.");
        },
        in_steps},
       {"steps.special_only",
@@ -83,19 +85,19 @@ std::vector<Command> step_commands() {
        "Stepping and playing pass over plain crossings.",
        icons::filter,
        {},
-       [](Session& s) { s.player.special_only = !s.player.special_only; },
+       [](Results& r) { r.player.special_only = !r.player.special_only; },
        in_steps,
-       [](const Session& s) { return s.player.special_only; }},
+       [](const Results& r) { return r.player.special_only; }},
       {"steps.next_stop",
        "To the next break point",
        "To the next step that a break point names.",
        icons::flag,
        {{'B'}},
        [](Session& s) {
-         if (s.player.stops.empty())
-           s.messages.tell("Choose break points first: they are in the time line.");
-         else if (!s.player.next_stop())
-           s.messages.tell("No further step matches a break point.");
+         if (s.results.player.stops.empty())
+           s.interface.messages.tell("Choose break points first: they are in the time line.");
+         else if (!s.results.player.next_stop())
+           s.interface.messages.tell("No further step matches a break point.");
        },
        in_steps},
       {"steps.next_phase",
@@ -117,9 +119,9 @@ std::vector<Command> step_commands() {
        "The camera goes to the place of each step.",
        icons::crosshairs,
        {{'C'}},
-       [](Session& s) { s.view.follow_steps = !s.view.follow_steps; },
+       [](ViewState& v) { v.follow_steps = !v.follow_steps; },
        in_steps,
-       [](const Session& s) { return s.view.follow_steps; }},
+       [](const ViewState& v) { return v.follow_steps; }},
   };
 }
 

@@ -5,7 +5,7 @@
 namespace sectile::viewer {
 
 std::vector<Command> tour_commands() {
-  const auto on_tour = [](const Session& s) { return s.tour.is_on(); };
+  const auto on_tour = [](const InterfaceState& i) { return i.tour.is_on(); };
   return {
       {"tour.start",
        "Tour of the paper",
@@ -13,35 +13,39 @@ std::vector<Command> tour_commands() {
        "phase.",
        icons::flag,
        {},
-       [](Session& s) { s.after_saving("Start the tour", [&s] { s.tour.go_to(s, 0); }); }},
+       [](Session& s) {
+         s.after_saving("Start the tour", [&s] { s.interface.tour.go_to(s, 0); });
+       }},
       {"tour.next",
        "Next station",
        "Goes on in the tour.",
        icons::step_forward,
        {{Key::right, true}},
-       [](Session& s) { s.tour.next(s); },
-       [](const Session& s) { return s.tour.is_on() && s.tour.at() + 1 < TourGuide::count(); }},
+       [](Session& s) { s.interface.tour.next(s); },
+       [](const InterfaceState& i) {
+         return i.tour.is_on() && i.tour.at() + 1 < TourGuide::count();
+       }},
       {"tour.previous",
        "Station before",
        "Goes back in the tour.",
        icons::step_back,
        {{Key::left, true}},
-       [](Session& s) { s.tour.previous(s); },
-       [](const Session& s) { return s.tour.is_on() && s.tour.at() > 0; }},
+       [](Session& s) { s.interface.tour.previous(s); },
+       [](const InterfaceState& i) { return i.tour.is_on() && i.tour.at() > 0; }},
       {"tour.answer",
        "Answer",
        "Shows or hides the answer to the station's question.",
        "",
        {{Key::down, true}},
-       [](Session& s) { s.tour.shows_answer = !s.tour.shows_answer; },
+       [](InterfaceState& i) { i.tour.shows_answer = !i.tour.shows_answer; },
        on_tour,
-       [](const Session& s) { return s.tour.shows_answer; }},
+       [](const InterfaceState& i) { return i.tour.shows_answer; }},
       {"tour.end",
        "End the tour",
        "The scene and the steps stay.",
        icons::cross,
        {},
-       [](Session& s) { s.tour.end(); },
+       [](InterfaceState& i) { i.tour.end(); },
        on_tour},
   };
 }

@@ -17,7 +17,7 @@ void TourGuide::go_to(Session& session, std::size_t station) {
   at_ = station;
   shows_answer = false;
   is_waiting_ = true;
-  session.player.forget();
+  session.results.player.forget();
   session.open_sample(this->station().sample);
   session.view.exploded = this->station().exploded;
   session.view.eight_way = this->station().eight_way;
@@ -33,12 +33,12 @@ void TourGuide::previous(Session& session) {
 }
 
 void TourGuide::update(Session& session) {
-  if (!is_on() || !is_waiting_ || !session.player.story() || session.is_busy()) return;
+  if (!is_on() || !is_waiting_ || !session.results.player.story() || session.is_busy()) return;
   is_waiting_ = false;
-  if (const std::optional<std::size_t> step = step_of(station(), *session.player.story()))
-    session.player.go_to(*step);
+  if (const std::optional<std::size_t> step = step_of(station(), *session.results.player.story()))
+    session.results.player.go_to(*step);
   else
-    session.player.go_to(station().phase, 0);
+    session.results.player.go_to(station().phase, 0);
 }
 
 }  // namespace sectile::viewer

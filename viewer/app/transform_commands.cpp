@@ -10,22 +10,23 @@ namespace {
 
 Command follow_the_mouse(const char* name, const char* title, const char* help, char key,
                          HandleMode mode) {
-  return {
-      name,
-      title,
-      help,
-      "",
-      {{key}},
-      [mode](Session& s) { s.begin_tool(std::make_unique<ModalTransform>(s, mode, s.pointer)); },
-      [](const Session& s) { return s.mode() == Mode::model && s.selected() != 0; }};
+  return {name,
+          title,
+          help,
+          "",
+          {{key}},
+          [mode](Session& s) {
+            s.begin_tool(std::make_unique<ModalTransform>(s, mode, s.interface.pointer));
+          },
+          [](const Session& s) { return s.mode() == Mode::model && s.selected() != 0; }};
 }
 
 }  // namespace
 
 std::vector<Command> transform_commands() {
   const auto handle = [](HandleMode mode) {
-    return std::pair{[mode](Session& s) { s.handles = mode; },
-                     [mode](const Session& s) { return s.handles == mode; }};
+    return std::pair{[mode](ViewState& v) { v.handles = mode; },
+                     [mode](const ViewState& v) { return v.handles == mode; }};
   };
   const auto [move, is_move] = handle(HandleMode::move);
   const auto [rotate, is_rotate] = handle(HandleMode::rotate);
@@ -65,9 +66,9 @@ std::vector<Command> transform_commands() {
               "Handles along the solid's own axes instead of the world's.",
               icons::cube,
               {{'L'}},
-              [](Session& s) { s.local_axes = !s.local_axes; },
+              [](ViewState& v) { v.local_axes = !v.local_axes; },
               {},
-              [](const Session& s) { return s.local_axes; }}
+              [](const ViewState& v) { return v.local_axes; }}
           .after_line(),
       {"handle.snap",
        "Snap",
@@ -75,9 +76,9 @@ std::vector<Command> transform_commands() {
        "the opposite.",
        icons::magnet,
        {{'M'}},
-       [](Session& s) { s.snapping = !s.snapping; },
+       [](ViewState& v) { v.snapping = !v.snapping; },
        {},
-       [](const Session& s) { return s.snapping; }},
+       [](const ViewState& v) { return v.snapping; }},
   };
 }
 

@@ -15,9 +15,12 @@ using std::numbers::pi;
 
 Command look_from(const char* name, const char* title, Shortcut key, double azimuth,
                   double elevation) {
-  Command made{
-      name, title, "Turns the view so that this side is seen.",
-      "",   {key}, [=](Session& s) { s.camera.azimuth = azimuth, s.camera.elevation = elevation; }};
+  Command made{name,
+               title,
+               "Turns the view so that this side is seen.",
+               "",
+               {key},
+               [=](ViewState& v) { v.camera.azimuth = azimuth, v.camera.elevation = elevation; }};
   made.submenu = "Look at the";
   return made;
 }
@@ -29,9 +32,9 @@ Command view_switch(const char* name, const char* title, const char* help,
           help,
           "",
           std::move(keys),
-          [=](Session& s) { s.view.*setting = !(s.view.*setting); },
+          [=](ViewState& v) { v.*setting = !(v.*setting); },
           {},
-          [=](const Session& s) { return s.view.*setting; }};
+          [=](const ViewState& v) { return v.*setting; }};
 }
 
 }  // namespace
@@ -69,9 +72,9 @@ std::vector<Command> view_commands() {
        "Without perspective.",
        "",
        {{'5'}},
-       [](Session& s) { s.camera.orthographic = !s.camera.orthographic; },
+       [](ViewState& v) { v.camera.orthographic = !v.camera.orthographic; },
        {},
-       [](const Session& s) { return s.camera.orthographic; }},
+       [](const ViewState& v) { return v.camera.orthographic; }},
       Command{"view.measure",
               "Measure",
               "Click vertices, edges and faces: shows distances, angles and radii.",
@@ -100,7 +103,7 @@ std::vector<Command> view_commands() {
        {{'X'}},
        [](Session& s) { s.show_section(!s.view.section, s.view.section_axis); },
        {},
-       [](const Session& s) { return s.view.section; }},
+       [](const ViewState& v) { return v.section; }},
       {"view.section_tool",
        "Place the section plane",
        "Drag the section plane in the picture, tilt it, put it onto a face.",
@@ -125,9 +128,9 @@ std::vector<Command> view_commands() {
               "Section plane, exploded view, labels, colours and theme.",
               icons::sliders,
               {{'V'}},
-              [](Session& s) { s.view_panel = !s.view_panel; },
+              [](InterfaceState& i) { i.view_panel = !i.view_panel; },
               {},
-              [](const Session& s) { return s.view_panel; }}
+              [](const InterfaceState& i) { return i.view_panel; }}
           .after_line(),
   };
 }

@@ -52,7 +52,7 @@ void look(App& app, const Arguments& arguments) {
 // Once its story is told: throws if there is none, or no such step.
 void check_step(const App& app, const Arguments& arguments) {
   if (!arguments.phase) return;
-  const Story* story = app.session().player.story();
+  const Story* story = app.session().results.player.story();
   if (!story)
     throw std::invalid_argument("--phase: there are no steps to show: " +
                                 app.session().why_no_story());

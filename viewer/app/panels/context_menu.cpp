@@ -53,8 +53,8 @@ void draw_items(PanelContext& context, const char* const (&names)[Count]) {
 void draw_context_menu(PanelContext& context) {
   Session& session = context.session;
   constexpr const char* name = "context menu";
-  if (session.context_menu) {
-    session.context_menu = false;
+  if (session.interface.context_menu) {
+    session.interface.context_menu = false;
     ImGui::OpenPopup(name);
   }
   if (!ImGui::BeginPopup(name)) return;

@@ -111,7 +111,7 @@ bool draw_entries(PanelContext& context, FileBrowser& browser) {
 }  // namespace
 
 void draw_file_browser(PanelContext& context) {
-  Dialogs& dialogs = context.session.dialogs;
+  Dialogs& dialogs = context.session.interface.dialogs;
   FileBrowser& browser = dialogs.browser;
   constexpr const char* id = "###file browser";
   if (!dialogs.browsing) return;

@@ -9,7 +9,7 @@ constexpr const char* gestures =
     "Right click: menu";
 
 std::string next_step(const Session& session) {
-  if (session.repair.is_open())
+  if (session.results.repair.is_open())
     return "Next: look through what is wrong, choose how it is repaired and compare Before and "
            "After. Cancel leaves the scene as it is.";
   const std::size_t roots = session.scene().roots().size();

@@ -226,14 +226,14 @@ void draw_sphere_splitter(PanelContext& context, float width, float height) {
 void draw_waiting(PanelContext& context) {
   const Session& session = context.session;
   title(context, "Steps");
-  if (session.player.is_busy())
+  if (session.results.player.is_busy())
     wrapped("The story of this operation is being told\u2026");
-  else if (!session.player.error().empty())
-    wrapped(session.player.error());
+  else if (!session.results.player.error().empty())
+    wrapped(session.results.player.error());
   else if (session.is_busy())
     wrapped("The operands are being computed\u2026");
-  else if (session.player.story())
-    wrapped("Nothing happened in this phase (" + title_of(session.player.phase()) +
+  else if (session.results.player.story())
+    wrapped("Nothing happened in this phase (" + title_of(session.results.player.phase()) +
             "): the operands gave it nothing to do.");
   else
     wrapped(session.why_no_story());
@@ -260,8 +260,8 @@ void draw_heading(PanelContext& context, const Step& step) {
 
 void draw_inspector(PanelContext& context) {
   begin_panel(context, "inspector", context.layout.inspector);
-  const Step* step = context.session.player.current();
-  context.session.lit_row = -1;
+  const Step* step = context.session.results.player.current();
+  context.session.interface.lit_row = -1;
   if (!step) {
     draw_waiting(context);
     end_panel();
@@ -277,7 +277,7 @@ void draw_inspector(PanelContext& context) {
   ImGui::BeginChild("words", {0, room.y - sphere - edge});
   draw_pairs(context);
   draw_heading(context, *step);
-  context.session.lit_row =
+  context.session.interface.lit_row =
       draw_table(context, step->columns, step->table, {"inspector.table", "inspector.", {}, {}});
   ImGui::Spacing();
   draw_bullets(*step);

@@ -95,7 +95,7 @@ void draw_commands(PanelContext& context, float height) {
 }  // namespace
 
 void draw_key_page(PanelContext& context) {
-  bool& open = context.session.dialogs.keys;
+  bool& open = context.session.interface.dialogs.keys;
   constexpr const char* name = "Keys and gestures";
   if (!open) return;
   if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);

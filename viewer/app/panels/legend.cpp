@@ -34,7 +34,7 @@ void draw_key(const LegendKey& key) {
 }  // namespace
 
 void draw_legend(PanelContext& context) {
-  const std::vector<LegendKey>& keys = context.session.legend;
+  const std::vector<LegendKey>& keys = context.session.view.legend;
   if (keys.empty()) return;
   const Rectangle& picture = context.layout.picture;
   const float bottom = picture.y + picture.height - 8;

@@ -35,7 +35,7 @@ bool begin_submenu(PanelContext& context, const std::string& text, bool& aside,
 
 void recent_files(PanelContext& context, bool& aside) {
   Session& session = context.session;
-  const std::vector<std::filesystem::path> files = session.recent.list();
+  const std::vector<std::filesystem::path> files = session.interface.recent.list();
   ImGui::Separator();
   if (!begin_submenu(context, "Recent files", aside, !files.empty())) return;
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -47,7 +47,7 @@ void recent_files(PanelContext& context, bool& aside) {
     context.widgets.record_item("recent." + std::to_string(i));
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("Forget them")) session.recent.clear();
+  if (ImGui::MenuItem("Forget them")) session.interface.recent.clear();
   ImGui::EndMenu();
 }
 

@@ -19,7 +19,7 @@ std::string clock_time(std::chrono::system_clock::time_point time) {
 
 /// The newest first.
 void draw_rows(PanelContext& context) {
-  const std::vector<Message>& all = context.session.messages.all();
+  const std::vector<Message>& all = context.session.interface.messages.all();
   for (std::size_t i = all.size(); i-- > 0;) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -37,7 +37,7 @@ void draw_rows(PanelContext& context) {
 }
 
 void draw_list(PanelContext& context) {
-  Messages& messages = context.session.messages;
+  Messages& messages = context.session.interface.messages;
   const Rectangle& picture = context.layout.picture;
   const float width = std::min(620.0f, picture.width - 16);
   const float height = std::min(360.0f, picture.height - 16);
@@ -66,7 +66,7 @@ void draw_list(PanelContext& context) {
 
 /// Below the messages for which there was room.
 void draw_more(PanelContext& context, float x, float y, float width) {
-  Messages& messages = context.session.messages;
+  Messages& messages = context.session.interface.messages;
   ImGui::SetNextWindowPos({x, y});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::Begin("more messages", nullptr,
@@ -89,11 +89,11 @@ void draw_messages(PanelContext& context) {
   Session& session = context.session;
   const Rectangle& picture = context.layout.picture;
   // Beside the view settings, if they are open.
-  const float taken = session.view_panel ? 260.0f : 0.0f;
+  const float taken = session.interface.view_panel ? 260.0f : 0.0f;
   const float width = std::min(460.0f, picture.width - 16 - taken);
   float y = picture.y + 8;
-  for (std::size_t i = 0; i < session.messages.shown().size(); ++i) {
-    const Message message = session.messages.shown()[i];
+  for (std::size_t i = 0; i < session.interface.messages.shown().size(); ++i) {
+    const Message message = session.interface.messages.shown()[i];
     ImGui::SetNextWindowPos({picture.x + (picture.width - taken - width) / 2, y});
     ImGui::SetNextWindowSize({width, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 5);
@@ -115,14 +115,14 @@ void draw_messages(PanelContext& context) {
     context.widgets.record_item("message." + std::to_string(i));
     ImGui::SameLine(width - 34);
     if (icon_button(context, "message.close." + std::to_string(i), icons::cross, "Close"))
-      session.messages.close(i);
+      session.interface.messages.close(i);
     context.widgets.record_window("panel.message." + std::to_string(i));
     y += ImGui::GetWindowSize().y + 6;
     ImGui::End();
   }
   const float left = picture.x + (picture.width - taken - width) / 2;
-  if (session.messages.waiting() > 0) draw_more(context, left, y, width);
-  if (session.messages.list_open) draw_list(context);
+  if (session.interface.messages.waiting() > 0) draw_more(context, left, y, width);
+  if (session.interface.messages.list_open) draw_list(context);
 }
 
 }  // namespace sectile::viewer

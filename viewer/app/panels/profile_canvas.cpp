@@ -17,7 +17,9 @@ using Corner = ProfileSketch::Corner;
 class Canvas {
  public:
   Canvas(PanelContext& context, ImVec2 size)
-      : context_(context), editor_(context.session.profile), low_(ImGui::GetCursorScreenPos()) {
+      : context_(context),
+        editor_(context.session.interface.profile),
+        low_(ImGui::GetCursorScreenPos()) {
     size_ = size;
     ImGui::InvisibleButton("canvas", size,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |

@@ -13,7 +13,7 @@ using Corner = ProfileSketch::Corner;
 class ProfilePanel {
  public:
   explicit ProfilePanel(PanelContext& context)
-      : context_(context), editor_(context.session.profile), sketch_(editor_.sketch) {}
+      : context_(context), editor_(context.session.interface.profile), sketch_(editor_.sketch) {}
 
   void draw() {
     const float side = 210, below = ImGui::GetFrameHeightWithSpacing() + 40;
@@ -29,7 +29,7 @@ class ProfilePanel {
                                    : problem);
     context_.widgets.record_item("profile.note");
     draw_answers(problem.empty());
-    if (!ImGui::GetIO().WantTextInput && context_.session.typed.field.empty())
+    if (!ImGui::GetIO().WantTextInput && context_.session.interface.typed.field.empty())
       keys(problem.empty());
   }
 
@@ -176,7 +176,7 @@ class ProfilePanel {
 }  // namespace
 
 void draw_profile_editor(PanelContext& context) {
-  ProfileEditor& editor = context.session.profile;
+  ProfileEditor& editor = context.session.interface.profile;
   if (!editor.open) return;
   constexpr const char* name = "Profile###profile";
   if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);

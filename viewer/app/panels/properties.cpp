@@ -53,7 +53,7 @@ class Fields {
   void choose(const char* what) { edited(what, {true, true}); }
 
   void draw_error() {
-    const std::string error = context_.session.error_of(node_.id);
+    const std::string error = context_.session.results.error_of(node_.id);
     if (error.empty()) return;
     ImGui::Separator();
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.84f, 0.24f, 0.12f, 1));
@@ -132,7 +132,7 @@ class Fields {
     if (s == Shape::extrusion || s == Shape::revolution) {
       if (button(context_, "properties.profile", "Edit the profile\u2026",
                  "Draw and change its outline and holes (F4)", true, -1))
-        context_.session.profile.begin_edit(node_);
+        context_.session.interface.profile.begin_edit(node_);
     }
     if (s == Shape::sphere || s == Shape::torus) whole("Rings", "rings", p.rings, 3, 256);
   }
@@ -260,7 +260,7 @@ class Fields {
   }
 
   void draw_numbers() {
-    const Solid* solid = context_.session.solid(node_.id);
+    const Solid* solid = context_.session.results.solid(node_.id);
     if (!solid) return;
     ImGui::Separator();
     if (solid->is_empty()) {
@@ -269,7 +269,7 @@ class Fields {
       ImGui::PopTextWrapPos();
       return;
     }
-    const SolidNumbers& numbers = context_.session.numbers(node_.id, *solid);
+    const SolidNumbers& numbers = context_.session.results.numbers(node_.id, *solid);
     number_row("Volume", number(numbers.volume));
     number_row("Area", number(numbers.area));
     number_row("Vertices", count(numbers.counts.vertices));

@@ -23,7 +23,7 @@ bool escape_pressed() {
 }
 
 void draw_about(PanelContext& context) {
-  bool& open = context.session.dialogs.about;
+  bool& open = context.session.interface.dialogs.about;
   if (!open) return;
   if (!begin_window("About Sectile", &open, 460)) return;
   ImGui::PushTextWrapPos(0);
@@ -43,7 +43,7 @@ void draw_about(PanelContext& context) {
 }  // namespace
 
 void draw_questions(PanelContext& context) {
-  Dialogs& dialogs = context.session.dialogs;
+  Dialogs& dialogs = context.session.interface.dialogs;
   // One at a time: the file browser that an answer opened comes first.
   if (dialogs.questions.empty() || dialogs.browsing) return;
   const Question question = dialogs.questions.front();

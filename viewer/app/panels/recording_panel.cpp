@@ -49,8 +49,8 @@ void draw_size(PanelContext& context, RecordingPlan& plan) {
     if (button(context, name, text)) plan.width = w, plan.height = h;
   };
   preset("record.window", "As seen",
-         static_cast<std::uint32_t>(std::max(16.0, context.session.picture_size.x)),
-         static_cast<std::uint32_t>(std::max(16.0, context.session.picture_size.y)));
+         static_cast<std::uint32_t>(std::max(16.0, context.session.view.picture_size.x)),
+         static_cast<std::uint32_t>(std::max(16.0, context.session.view.picture_size.y)));
   ImGui::SameLine(0, 4);
   preset("record.hd", "1920 \u00D7 1080", 1920, 1080);
   ImGui::SameLine(0, 4);
@@ -74,7 +74,7 @@ void draw_film(PanelContext& context, RecordingPlan& plan) {
 
 void draw_recording(PanelContext& context) {
   Session& session = context.session;
-  Dialogs& dialogs = session.dialogs;
+  Dialogs& dialogs = session.interface.dialogs;
   if (!dialogs.recording || dialogs.browsing) return;
   constexpr const char* name = "Picture or film###recording";
   if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
@@ -87,7 +87,7 @@ void draw_recording(PanelContext& context) {
                                   ImGuiWindowFlags_AlwaysAutoResize))
     return;
   context.widgets.record_window("panel.recording");
-  RecordingPlan& plan = session.recording_plan;
+  RecordingPlan& plan = session.interface.recording_plan;
   draw_kind(context, plan);
   ImGui::Separator();
   draw_size(context, plan);

@@ -43,7 +43,8 @@ bool selectable(PanelContext& context, const std::string& name, const std::strin
 
 class RepairPanel {
  public:
-  explicit RepairPanel(PanelContext& context) : context_(context), bench_(context.session.repair) {}
+  explicit RepairPanel(PanelContext& context)
+      : context_(context), bench_(context.session.results.repair) {}
 
   void draw() {
     draw_heading();
@@ -178,7 +179,7 @@ class RepairPanel {
 }  // namespace
 
 void draw_repair(PanelContext& context) {
-  if (!context.session.repair.is_open()) return;
+  if (!context.session.results.repair.is_open()) return;
   begin_panel(context, "repair", context.layout.repair);
   RepairPanel(context).draw();
   end_panel();

@@ -87,7 +87,7 @@ class Tree {
                                ImGuiTreeNodeFlags_FramePadding | ImGuiTreeNodeFlags_DefaultOpen;
     if (node.children.empty()) flags |= ImGuiTreeNodeFlags_Leaf;
     if (session_.is_selected(node.id)) flags |= ImGuiTreeNodeFlags_Selected;
-    const bool renaming = session_.renaming.node == node.id;
+    const bool renaming = session_.interface.renaming.node == node.id;
     const std::string text = renaming ? std::string() : label(node);
     if (!node.visible)
       ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
@@ -129,7 +129,7 @@ class Tree {
         !ImGui::IsItemToggledOpen() && ImGui::GetMouseDragDelta().x == 0)
       session_.select(node.id, ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-      session_.renaming = {node.id, false, {}};
+      session_.interface.renaming = {node.id, false, {}};
     drag_and_drop(node);
     if (ImGui::BeginPopupContextItem("menu")) {
       if (!session_.is_selected(node.id)) session_.select(node.id);
@@ -197,7 +197,7 @@ class Tree {
     const Node* node = session_.scene().find(drop.node);
     if (!node) return;
     if (drop.parent != 0 && session_.scene().is_below(drop.parent, drop.node)) {
-      session_.messages.error("A solid cannot go below itself.");
+      session_.interface.messages.error("A solid cannot go below itself.");
       return;
     }
     session_.change("Move in the tree",
@@ -205,7 +205,7 @@ class Tree {
   }
 
   void draw_name_field(const Node& node) {
-    Renaming& renaming = session_.renaming;
+    Renaming& renaming = session_.interface.renaming;
     const bool begins = !renaming.begun;
     if (!renaming.begun) {
       renaming.begun = true;
@@ -231,7 +231,7 @@ class Tree {
   void draw_badge(const Node& node, std::size_t place) {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const std::string error = session_.error_of(node.id);
+    const std::string error = session_.results.error_of(node.id);
     if (!error.empty()) {
       draw.AddText({high.x - 20, low.y + 3}, IM_COL32(214, 60, 30, 255), icons::warning);
       tooltip(error);

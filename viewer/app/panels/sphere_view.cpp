@@ -158,11 +158,11 @@ glm::dvec3 interesting_side(const SpherePicture& picture, const glm::dvec3& othe
 }
 
 void turn_to(SphereTurn& turn, const Session& session, const SpherePicture& picture) {
-  const auto story = session.player.shared();
-  if (turn.story == story && turn.step == session.player.step()) return;
+  const auto story = session.results.player.shared();
+  if (turn.story == story && turn.step == session.results.player.step()) return;
   turn.story = story;
-  turn.step = session.player.step();
-  const glm::dvec3 from = interesting_side(picture, -session.camera.forward());
+  turn.step = session.results.player.step();
+  const glm::dvec3 from = interesting_side(picture, -session.view.camera.forward());
   turn.camera.azimuth = std::atan2(from.y, from.x);
   turn.camera.elevation = std::clamp(std::asin(std::clamp(from.z, -1.0, 1.0)), -1.4, 1.4);
 }
@@ -179,7 +179,7 @@ std::string caption_of(const Step& step, bool dark) {
 
 void draw_sphere(PanelContext& context, const Step& step, float width, float height) {
   Session& session = context.session;
-  turn_to(session.sphere, session, step.sphere);
+  turn_to(session.view.sphere_turn, session, step.sphere);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushFont(context.fonts.small);
   const std::string caption = caption_of(step, session.view.dark);
@@ -189,16 +189,16 @@ void draw_sphere(PanelContext& context, const Step& step, float width, float hei
   context.widgets.record_item("inspector.sphere");
   if (ImGui::IsItemActive()) {
     const ImVec2 by = ImGui::GetIO().MouseDelta;
-    session.sphere.camera.orbit(-0.01 * static_cast<double>(by.x),
-                                0.01 * static_cast<double>(by.y));
+    session.view.sphere_turn.camera.orbit(-0.01 * static_cast<double>(by.x),
+                                          0.01 * static_cast<double>(by.y));
   }
   tooltip("The neighborhoods on a small sphere around the place. Drag to turn it.");
-  const std::size_t row = static_cast<std::size_t>(session.lit_row);
+  const std::size_t row = static_cast<std::size_t>(session.interface.lit_row);
   const std::string lit =
-      session.lit_row >= 0 && row < step.row_faces.size() ? step.row_faces[row] : "";
+      session.interface.lit_row >= 0 && row < step.row_faces.size() ? step.row_faces[row] : "";
   const float line = ImGui::GetTextLineHeight();
   const float radius = std::max(10.0f, std::min(width, height - line) / 2 - 6);
-  SphereDrawing(step.sphere, lit, session.sphere.camera, context.theme,
+  SphereDrawing(step.sphere, lit, session.view.sphere_turn.camera, context.theme,
                 {at.x + width / 2, at.y + height / 2}, radius)
       .draw();
   ImGui::PushTextWrapPos(0);

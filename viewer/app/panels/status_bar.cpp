@@ -12,7 +12,7 @@ std::string about_scene(const Session& session) {
   const bool is_group = roots == 1 && std::holds_alternative<Group>(first.what);
   std::string text = is_group ? "1 group" : roots == 1 ? "1 solid" : count(roots) + " solids";
   if (roots == 1)
-    if (const Solid* solid = session.solid(session.scene().roots().front())) {
+    if (const Solid* solid = session.results.solid(session.scene().roots().front())) {
       const std::size_t faces = solid->counts().faces;
       text +=
           solid->is_empty() ? ", empty" : ", " + count(faces) + (faces == 1 ? " face" : " faces");
@@ -45,7 +45,7 @@ void draw_progress(PanelContext& context, const std::string& activity) {
 
 /// Opens the list of all that was said; at the right, before the file's name.
 void draw_message_button(PanelContext& context, const std::string& file) {
-  Messages& messages = context.session.messages;
+  Messages& messages = context.session.interface.messages;
   if (messages.all().empty()) return;
   const std::string text = std::string(icons::info) + " " + count(messages.all().size()) +
                            (messages.all().size() == 1 ? " message" : " messages");

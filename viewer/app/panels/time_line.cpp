@@ -16,7 +16,7 @@ constexpr const char* stop_kinds[] = {"special case", "contact",   "segment",
 
 /// The phases in the order of the algorithm, each with the number of its steps.
 void draw_phases(PanelContext& context, const Story& story) {
-  const Phase present = context.session.player.phase();
+  const Phase present = context.session.results.player.phase();
   const float gap = 3;
   const float width = (ImGui::GetContentRegionAvail().x - 7 * gap) / 8;
   for (const Phase phase : all_phases) {
@@ -44,7 +44,7 @@ void draw_phases(PanelContext& context, const Story& story) {
                title_of(phase) + ": " + std::to_string(last - first) + " steps (phase \"" +
                    std::string(name_of(phase)) + "\")",
                true, width))
-      context.session.player.go_to(phase, 0);
+      context.session.results.player.go_to(phase, 0);
     ImGui::PopStyleVar();
     ImGui::PopFont();
     if (here || over) ImGui::PopStyleColor(3);
@@ -53,10 +53,11 @@ void draw_phases(PanelContext& context, const Story& story) {
 
 /// What was typed stays if no step is named, to be corrected.
 void add_stop(Session& session, std::string& typed) {
-  StoryPlayer& player = session.player;
+  StoryPlayer& player = session.results.player;
   if (!player.story() || !player.story()->has_stop(typed)) {
-    session.messages.error("No step concerns \"" + typed +
-                           "\". Type a vertex such as v12, an edge e3, a face f7, or A v12.");
+    session.interface.messages.error(
+        "No step concerns \"" + typed +
+        "\". Type a vertex such as v12, an edge e3, a face f7, or A v12.");
     return;
   }
   if (!std::count(player.stops.begin(), player.stops.end(), typed)) player.stops.push_back(typed);
@@ -65,7 +66,7 @@ void add_stop(Session& session, std::string& typed) {
 
 /// A vertex of A, one of B, or both: then their pair.
 std::string typed_pair(const Session& session) {
-  const auto& [a, b] = session.typed_pair;
+  const auto& [a, b] = session.interface.typed_pair;
   if (!a.empty() && !b.empty()) return a + " on " + b;
   return a.empty() ? b.empty() ? "" : "B " + b : "A " + a;
 }
@@ -73,7 +74,8 @@ std::string typed_pair(const Session& session) {
 void draw_pair_fields(PanelContext& context) {
   Session& session = context.session;
   bool entered = false;
-  std::string* const fields[] = {&session.typed_pair.first, &session.typed_pair.second};
+  std::string* const fields[] = {&session.interface.typed_pair.first,
+                                 &session.interface.typed_pair.second};
   for (int s = 0; s < 2; ++s) {
     if (s == 1) ImGui::SameLine();
     ImGui::SetNextItemWidth(76);
@@ -89,12 +91,12 @@ void draw_pair_fields(PanelContext& context) {
        entered) &&
       !typed.empty()) {
     add_stop(session, typed);
-    if (typed.empty()) session.typed_pair = {};
+    if (typed.empty()) session.interface.typed_pair = {};
   }
 }
 
 void draw_break_points(PanelContext& context) {
-  StoryPlayer& player = context.session.player;
+  StoryPlayer& player = context.session.results.player;
   const std::string text =
       std::string(icons::flag) + "  " +
       (player.stops.empty() ? "Break points"
@@ -116,12 +118,12 @@ void draw_break_points(PanelContext& context) {
   ImGui::Separator();
   draw_pair_fields(context);
   ImGui::SetNextItemWidth(130);
-  const bool entered =
-      ImGui::InputTextWithHint("##entity", "vertex, e.g. v12", &context.session.typed_stop,
-                               ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint("##entity", "vertex, e.g. v12",
+                                                &context.session.interface.typed_stop,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
   context.widgets.record_item("stop.entity");
   ImGui::SameLine();
-  std::string& typed = context.session.typed_stop;
+  std::string& typed = context.session.interface.typed_stop;
   if ((button(context, "stop.add", "Add", "", !typed.empty()) || entered) && !typed.empty())
     add_stop(context.session, typed);
   for (const std::string& stop : std::vector<std::string>(player.stops)) {
@@ -146,7 +148,8 @@ void transport(PanelContext& context, const char* name, const char* icon) {
 void draw_controls(PanelContext& context, const Story& story, std::size_t step) {
   Session& session = context.session;
   transport(context, "steps.previous", icons::step_back);
-  transport(context, "steps.play", session.player.is_playing() ? icons::pause : icons::play);
+  transport(context, "steps.play",
+            session.results.player.is_playing() ? icons::pause : icons::play);
   transport(context, "steps.next", icons::step_forward);
   transport(context, "steps.next_special", icons::star);
   transport(context, "steps.special_only", icons::filter);
@@ -162,10 +165,10 @@ void draw_controls(PanelContext& context, const Story& story, std::size_t step) 
   const std::string format = "step %d of " + std::to_string(last + 1);
   if (ImGui::SliderInt("##steps.slider", &at, 1, static_cast<int>(last) + 1, format.c_str(),
                        ImGuiSliderFlags_AlwaysClamp))
-    session.player.go_to(static_cast<std::size_t>(at - 1));
+    session.results.player.go_to(static_cast<std::size_t>(at - 1));
   context.widgets.record_item("steps.slider");
   ImGui::SameLine(0, 8);
-  slider(context, "steps.speed", session.player.steps_per_second, 0.5, 20, "%.1f steps/s",
+  slider(context, "steps.speed", session.results.player.steps_per_second, 0.5, 20, "%.1f steps/s",
          118 + (wide ? 30.0f : 0.0f));
   tooltip("How fast the steps play");
   ImGui::SameLine(0, 8);
@@ -180,14 +183,14 @@ void draw_controls(PanelContext& context, const Story& story, std::size_t step) 
 
 void draw_time_line(PanelContext& context) {
   begin_panel(context, "time_line", context.layout.time_line, ImGuiWindowFlags_NoScrollbar);
-  const Story* story = context.session.player.story();
+  const Story* story = context.session.results.player.story();
   if (!story || story->steps().empty()) {
     note(context, "The phases of the operation appear here, in the algorithm's order.");
   } else {
     draw_phases(context, *story);
     ImGui::Spacing();
     // A phase button may have moved on.
-    draw_controls(context, *story, context.session.player.step());
+    draw_controls(context, *story, context.session.results.player.step());
   }
   end_panel();
 }

@@ -22,8 +22,8 @@ void shield() {
 
 void draw_tool_banner(PanelContext& context) {
   Session& session = context.session;
-  if (!session.tool) return;
-  const bool takes_all = session.tool->mouse() == PictureTool::Mouse::all;
+  if (!session.interface.tool) return;
+  const bool takes_all = session.interface.tool->mouse() == PictureTool::Mouse::all;
   const Rectangle& picture = context.layout.picture;
   // Messages are at the top, the legend on the left.
   const float width = std::min(picture.width - 170, 620.0f);
@@ -35,7 +35,7 @@ void draw_tool_banner(PanelContext& context) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
-  title(context, session.tool->title().c_str());
+  title(context, session.interface.tool->title().c_str());
   if (!takes_all) {
     ImGui::SameLine(width - 92);
     if (button(context, "tool.end", "Done (Esc)", "Ends this tool", true, 82)) {
@@ -47,7 +47,7 @@ void draw_tool_banner(PanelContext& context) {
   }
   ImGui::PushFont(context.fonts.small);
   ImGui::PushTextWrapPos(width - 10);
-  ImGui::TextUnformatted(session.tool->hint(session).c_str());
+  ImGui::TextUnformatted(session.interface.tool->hint(session).c_str());
   context.widgets.record_item("tool.hint");
   ImGui::PopTextWrapPos();
   ImGui::PopFont();

@@ -18,9 +18,9 @@ void line(float gap) {
 
 void add_button(PanelContext& context, bool with_title) {
   command_button(context, "tool.add", with_title);
-  if (context.session.adding) {
+  if (context.session.interface.adding) {
     ImGui::OpenPopup("add popup");
-    context.session.adding = false;
+    context.session.interface.adding = false;
   }
   const Widget* place = context.widgets.find("tool.add");
   ImGui::SetNextWindowPos({place->rectangle.x, place->rectangle.y + place->rectangle.w + 2});

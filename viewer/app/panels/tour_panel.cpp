@@ -130,14 +130,14 @@ void draw_ways(PanelContext& context) {
 }  // namespace
 
 void draw_tour(PanelContext& context) {
-  if (!context.session.tour.is_on() || context.layout.tour.height <= 0) return;
-  TourGuide& tour = context.session.tour;
+  if (!context.session.interface.tour.is_on() || context.layout.tour.height <= 0) return;
+  TourGuide& tour = context.session.interface.tour;
   const Station& station = tour.station();
   begin_panel(context, "tour", context.layout.tour);
   note(context, "Tour of the paper, " + std::to_string(tour.at() + 1) + " of " +
                     std::to_string(TourGuide::count()));
   draw_ways(context);
-  if (context.session.tour.is_on()) {
+  if (context.session.interface.tour.is_on()) {
     ImGui::BeginChild("station", {0, 0});
     ImGui::PushFont(context.fonts.bold);
     wrapped(station.title);

@@ -28,7 +28,7 @@ const CubeSide sides[] = {
 class Cube {
  public:
   Cube(PanelContext& context, ImVec2 middle)
-      : context_(context), middle_(middle), camera_(context.session.camera) {}
+      : context_(context), middle_(middle), camera_(context.session.view.camera) {}
 
   /// The side under the pointer; null if there is none.
   const CubeSide* side_at(ImVec2 p) const {
@@ -131,7 +131,7 @@ void draw_view_cube(PanelContext& context) {
   Session& session = context.session;
   if (!session.view.cube) return;
   const Rectangle& picture = context.layout.picture;
-  const float taken = session.view_panel ? 254.0f : 0.0f;
+  const float taken = session.interface.view_panel ? 254.0f : 0.0f;
   if (picture.width < 2 * size + taken || picture.height < 2 * size) return;
   ImGui::SetNextWindowPos({picture.x + picture.width - size - 4 - taken, picture.y + 4});
   ImGui::SetNextWindowSize({size, size});
@@ -148,7 +148,7 @@ void draw_view_cube(PanelContext& context) {
   const ImGuiIO& io = ImGui::GetIO();
   const CubeSide* hovered = ImGui::IsItemHovered() ? cube.side_at(io.MousePos) : nullptr;
   const bool dragged = ImGui::IsItemActive() && ImGui::IsMouseDragging(0, 3);
-  if (dragged) session.camera.orbit(-0.012 * io.MouseDelta.x, 0.012 * io.MouseDelta.y);
+  if (dragged) session.view.camera.orbit(-0.012 * io.MouseDelta.x, 0.012 * io.MouseDelta.y);
   const ImVec2 way = ImGui::GetMouseDragDelta(0, 0);
   if (ImGui::IsItemDeactivated() && hovered && std::hypot(way.x, way.y) < 4)
     context.commands.run(session, context.commands.get(hovered->command));

@@ -62,7 +62,7 @@ void draw_section(PanelContext& context) {
 
 void draw_view_panel(PanelContext& context) {
   Session& session = context.session;
-  if (!session.view_panel) return;
+  if (!session.interface.view_panel) return;
   const Rectangle& picture = context.layout.picture;
   ImGui::SetNextWindowPos({picture.x + picture.width - 8, picture.y + 8}, ImGuiCond_Always, {1, 0});
   ImGui::SetNextWindowSize({244, 0});
@@ -93,7 +93,7 @@ void draw_view_panel(PanelContext& context) {
   ImGui::SameLine(second);
   checkbox(context, "view.axes", "Axes", view.axes);
   checkbox(context, "view.dark", "Dark", view.dark);
-  checkbox(context, "view.orthographic", "No perspective", session.camera.orthographic,
+  checkbox(context, "view.orthographic", "No perspective", session.view.camera.orthographic,
            "Parallel lines stay parallel (5)");
   // The panel covers the picture: say so to whoever looks for overlaps.
   context.widgets.record_window("panel.view");
