@@ -112,9 +112,7 @@ class EdgeFinder {
     const AroundLine around(kernel_, axis, up);
     const LineSide start = side(entries[0]);
     std::sort(entries.begin() + 1, entries.end(), [&](const LineEntry& a, const LineEntry& b) {
-      if (around.before(start, side(a), side(b))) return true;
-      if (around.before(start, side(b), side(a))) return false;
-      return a.corner < b.corner;
+      return around.before(start, side(a), side(b), a.corner < b.corner);
     });
     const auto first = static_cast<std::uint32_t>(found.sides.size());
     for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/x_ray.h"
+
 namespace sectile::arrangement {
 
 void add(Winding& winding, const Winding& step, int sign, Counting counting) {
@@ -24,24 +26,20 @@ Sign WindingRay::side(const ExactPoint& point, PlaneId plane) const {
   return kernel_.normal(plane, 0);
 }
 
-// In the projection along x, an edge that ends level with the point counts as below it, one through
-// it as above.
 bool WindingRay::meets(const ExactPoint& point, std::uint32_t face) const {
   const auto above = [&](PointId p) {
     const ExactPoint& q = kernel_.exact(p);
     return minor(q.x[1], q.w, point.x[1], point.w).sign() * q.w.sign() == Sign::positive;
   };
-  bool odd = false;
+  XRayParity parity;
   for (std::uint32_t c = facets_.begin(face); c < facets_.end(face); ++c) {
     const PointId u = facets_.from(c), v = facets_.to(c);
-    const bool above_u = above(u), above_v = above(v);
-    if (above_u == above_v) continue;
-    // With y to the right and z up: an edge to the right passes above what is on its right.
-    const ExactPoint &p = kernel_.exact(u), &q = kernel_.exact(v);
-    const Sign turn = turn_of(p, q, point, 0).sign() * p.w.sign() * q.w.sign();
-    if (turn == Sign::zero || (turn == Sign::negative) == above_v) odd = !odd;
+    parity.add(above(u), above(v), [&] {
+      const ExactPoint &p = kernel_.exact(u), &q = kernel_.exact(v);
+      return turn_of(p, q, point, 0).sign() * p.w.sign() * q.w.sign();
+    });
   }
-  return odd;
+  return parity.odd();
 }
 
 std::vector<WindingRay::Hit> WindingRay::hits(const ExactPoint& point) const {

@@ -40,10 +40,12 @@ class AroundLine {
     if (s == Sign::zero) return same_way(start, side) ? 0 : 2;
     return s == Sign::positive ? 1 : 3;
   }
-  /// Does a come before b, counter-clockwise from `start`?
-  bool before(const LineSide& start, const LineSide& a, const LineSide& b) const {
+  /// Does a come before b, counter-clockwise from `start`? If they are one, `tie` is the answer.
+  bool before(const LineSide& start, const LineSide& a, const LineSide& b, bool tie) const {
     const int in_a = quarter(start, a), in_b = quarter(start, b);
-    return in_a != in_b ? in_a < in_b : turn(a, b) == Sign::positive;
+    if (in_a != in_b) return in_a < in_b;
+    const Sign s = turn(a, b);
+    return s != Sign::zero ? s == Sign::positive : tie;
   }
 
  private:

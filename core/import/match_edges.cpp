@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/around_line.h"
 #include "import/diagnosis.h"
 #include "import/edge_buckets.h"
 #include "import/polygons.h"
@@ -22,7 +23,8 @@ class Matcher {
         kernel_(kernel),
         input_vertex_(input_vertex),
         buckets_(polygons),
-        mate_(polygons.corners.size()) {}
+        mate_(polygons.corners.size()),
+        around_(kernel, -1, Sign::zero) {}
 
   /// Pairs what runs both ways between two points.
   void pair_plain() {
@@ -108,38 +110,23 @@ class Matcher {
 
   PlaneId plane(const LineEntry& e) const { return PlaneId(face_[e.corner]); }
 
-  // See SegmentBuilder in boolean/neighborhoods.cpp: the same sort, here for one solid.
+  LineSide side(const LineEntry& e) const { return {PlaneId(face_[e.corner]), e.forward}; }
+
   void sort_around(PointId low, std::span<LineEntry> entries) {
-    axis_ = -1;
+    int axis = -1;
     for (const LineEntry& e : entries) {
-      axis_ = kernel_.cross_axis(plane(entries[0]), plane(e));
-      if (axis_ >= 0) break;
+      axis = kernel_.cross_axis(side(entries[0]).plane, side(e).plane);
+      if (axis >= 0) break;
     }
-    if (axis_ >= 0) line_ = kernel_.compare(low, entries[0].high, axis_);
-    const LineEntry start = entries[0];
-    const auto quarter = [&](const LineEntry& e) {
-      const Sign s = turn(start, e);
-      return s == Sign::positive ? 1 : s == Sign::negative ? 3 : same_way(start, e) ? 0 : 2;
-    };
+    const Sign up = axis < 0 ? Sign::zero : kernel_.compare(low, entries[0].high, axis);
+    around_ = AroundLine(kernel_, axis, up);
+    const LineSide start = side(entries[0]);
     std::sort(entries.begin(), entries.end(), [&](const LineEntry& a, const LineEntry& b) {
-      const int in_a = quarter(a), in_b = quarter(b);
-      if (in_a != in_b) return in_a < in_b;
-      const Sign s = turn(a, b);
-      return s != Sign::zero ? s == Sign::positive : a.corner < b.corner;
+      return around_.before(start, side(a), side(b), a.corner < b.corner);
     });
   }
 
-  Sign turn(const LineEntry& a, const LineEntry& b) const {
-    if (axis_ < 0) return Sign::zero;
-    const Sign s = kernel_.cross(plane(a), plane(b), axis_) * line_;
-    return a.forward == b.forward ? s : -s;
-  }
-  bool same_way(const LineEntry& a, const LineEntry& b) const {
-    return kernel_.same_direction(plane(a), plane(b)) == (a.forward == b.forward);
-  }
-  bool tied(const LineEntry& a, const LineEntry& b) const {
-    return turn(a, b) == Sign::zero && same_way(a, b);
-  }
+  bool tied(const LineEntry& a, const LineEntry& b) const { return around_.tied(side(a), side(b)); }
 
   std::uint32_t source(const LineEntry& e) const { return polygons_.source[face_[e.corner]]; }
   std::uint32_t vertex(PointId p) const { return input_vertex_[p.value()]; }
@@ -198,8 +185,7 @@ class Matcher {
   std::vector<Line> lines_;
   std::vector<std::uint32_t> mate_;
   std::vector<std::uint32_t> face_;  // per corner, if it is needed
-  int axis_ = -1;
-  Sign line_ = Sign::zero;
+  AroundLine around_;                // that of the edge that is looked at
 };
 
 }  // namespace

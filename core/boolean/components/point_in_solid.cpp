@@ -1,31 +1,27 @@
 #include "boolean/components/point_in_solid.h"
 
+#include "geometry/x_ray.h"
 #include "sectile/errors.h"
 #include "storage/face_query.h"
 
 namespace sectile {
 namespace {
 
-// The ray runs in direction +x. In the projection to (y, z) the point is taken to be moved by
-// (+ε, -δ) with δ far greater than ε, so that it lies on no projected edge or vertex: an edge that
-// ends level with it counts as below, an edge through it as above.
+// One ray in direction +x.
 class RayTest {
  public:
   RayTest(const Kernel& kernel, const Brep& brep, PointId point)
       : kernel_(kernel), brep_(brep), point_(point) {}
 
   bool crosses(FaceId face) const {
-    bool odd = false;
+    XRayParity parity;
     for_each_in_face(brep_, face, [&](HalfEdgeId h) {
       const PointId u = brep_.point_of(brep_.from(h)), v = brep_.point_of(brep_.to(h));
-      const bool above_u = kernel_.compare(point_, u, 1) == Sign::positive;
-      const bool above_v = kernel_.compare(point_, v, 1) == Sign::positive;
-      if (above_u == above_v) return;
-      // With y to the right and z up: an edge to the right passes above what is on its right.
-      const Sign turn = kernel_.turn(u, v, point_, 0);
-      if (turn == Sign::zero || (turn == Sign::negative) == above_v) odd = !odd;
+      parity.add(kernel_.compare(point_, u, 1) == Sign::positive,
+                 kernel_.compare(point_, v, 1) == Sign::positive,
+                 [&] { return kernel_.turn(u, v, point_, 0); });
     });
-    if (!odd) return false;
+    if (!parity.odd()) return false;
     const PlaneId plane = brep_.plane[face.value()];
     const Sign side = kernel_.side(point_, plane);
     if (side == Sign::zero) throw InternalError("a ray starts on the boundary");
