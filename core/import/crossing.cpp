@@ -1,13 +1,12 @@
 #include "import/crossing.h"
 
 #include "search/box_tree.h"
+#include "selftest/rim_sweep.h"
 
 namespace sectile {
 namespace {
 
-struct Edge {
-  PointId from, to;
-};
+using Edge = RimEdge;
 
 Sign turn(const Kernel& kernel, int axis, const Edge& edge, PointId p) {
   return kernel.turn(edge.from, edge.to, p, axis);
@@ -59,7 +58,7 @@ bool any_overlap_crosses(const Kernel& kernel, int axis, const std::vector<Edge>
 
 }  // namespace
 
-bool edges_cross(const Kernel& kernel, int axis, std::span<const PointId> corners,
+bool edges_cross(const Kernel& kernel, int axis, bool behind, std::span<const PointId> corners,
                  std::span<const std::uint32_t> loop_ends) {
   std::vector<Edge> edges;
   edges.reserve(corners.size());
@@ -72,8 +71,11 @@ bool edges_cross(const Kernel& kernel, int axis, std::span<const PointId> corner
   // Four turns to one side make one round.
   if (edges.size() == 4 && loop_ends.size() == 1 && is_convex(kernel, axis, edges)) return false;
   constexpr std::size_t few = 16;
-  return edges.size() <= few ? any_pair_crosses(kernel, axis, edges)
-                             : any_overlap_crosses(kernel, axis, edges);
+  if (edges.size() <= few) return any_pair_crosses(kernel, axis, edges);
+  // Long slanted edges have boxes that overlap by the million; a sweep tells that nothing crosses,
+  // as a rule.
+  if (RimSweep(kernel).winds_once(edges, axis, behind)) return false;
+  return any_overlap_crosses(kernel, axis, edges);
 }
 
 }  // namespace sectile

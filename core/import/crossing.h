@@ -11,7 +11,8 @@ namespace sectile {
 
 /// Do two edges of the loops cross in a point within both, as seen along an axis? The corners of
 /// all loops are explicit and stand one after another; loop k ends before corner loop_ends[k].
-bool edges_cross(const Kernel& kernel, int axis, std::span<const PointId> corners,
+/// `behind`: the normal points along the axis' other side.
+bool edges_cross(const Kernel& kernel, int axis, bool behind, std::span<const PointId> corners,
                  std::span<const std::uint32_t> loop_ends);
 
 }  // namespace sectile

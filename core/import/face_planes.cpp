@@ -100,20 +100,25 @@ class PlaneFinder {
       const auto loop = polygons_.face_corners(f);
       if (visits_twice(loop)) return Shape::touching;
       const std::uint32_t end[] = {static_cast<std::uint32_t>(loop.size())};
-      return edges_cross(kernel_, axis, loop, end) ? Shape::crossing : Shape::whole;
+      return edges_cross(kernel_, axis, is_behind(plane, axis), loop, end) ? Shape::crossing
+                                                                           : Shape::whole;
     }
     return shape_with_holes(f, axis);
   }
 
+  bool is_behind(PlaneId plane, int axis) const {
+    return kernel_.normal(plane, axis) == Sign::negative;
+  }
+
   Shape shape_with_holes(std::size_t f, int axis) const {
     const auto corners = polygons_.face_corners(f);
+    const bool behind = is_behind(PlaneId(f), axis);
     std::vector<std::uint32_t> ends;
     const std::uint32_t begin = polygons_.loop_begin(polygons_.first_loop(f));
     for (std::uint32_t l = polygons_.first_loop(f); l < polygons_.face_end[f]; ++l)
       ends.push_back(polygons_.loop_end[l] - begin);
-    if (edges_cross(kernel_, axis, corners, ends)) return Shape::crossing;
-    const FacePredicates exact(kernel_, axis, kernel_.normal(PlaneId(f), axis) == Sign::negative,
-                               corners);
+    if (edges_cross(kernel_, axis, behind, corners, ends)) return Shape::crossing;
+    const FacePredicates exact(kernel_, axis, behind, corners);
     for (std::size_t l = 1; l < ends.size(); ++l)
       if (orientation(exact, ends[l - 1], ends[l]) == Sign::positive) return Shape::wrong_way_hole;
     return Shape::whole;

@@ -23,13 +23,21 @@ void set_planes_and_sources(const Polygons& polygons, std::uint32_t origin, Brep
   }
 }
 
+// The next corner of the other face tells where it is beside the plane. It may also lie in the line
+// of the edge, though.
+bool lies_flat(const Brep& brep, const Kernel& kernel, HalfEdgeId h) {
+  const HalfEdgeId back = Brep::twin(h);
+  return kernel.side(brep.point_of(brep.to(brep.next_of(back))), brep.plane_of(h)) == Sign::zero &&
+         kernel.parallel(brep.plane_of(h), brep.plane_of(back));
+}
+
 // Edges between coplanar faces need a plane that pins them down.
 void pin_flat_edges(Brep& brep, Geometry& geometry, const Kernel& kernel) {
   std::vector<std::uint8_t> flat(brep.edge_count(), 0);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, flat.size(), 2048), [&](const auto& range) {
     for (std::size_t e = range.begin(); e < range.end(); ++e) {
       const HalfEdgeId h = Brep::half_edge(EdgeId(e));
-      flat[e] = kernel.parallel(brep.plane_of(h), brep.plane_of(Brep::twin(h)));
+      flat[e] = lies_flat(brep, kernel, h);
     }
   });
   for (std::size_t e = 0; e < flat.size(); ++e) {

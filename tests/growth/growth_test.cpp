@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "growth/steps.h"
 #include "sectile/boolean.h"
 #include "sectile/primitives.h"
 #include "sectile/solid.h"
 #include "sectile/transform.h"
+#include "sectile/validate.h"
 
 namespace sectile {
 namespace {
@@ -30,6 +33,163 @@ TEST(Steps, TellLinearFromQuadraticGrowth) {
   };
   EXPECT_LT(growth([&](std::size_t n) { return repeated(n); }, 2), n_log_n);
   EXPECT_GT(growth([&](std::size_t n) { return repeated(n * n); }, 2), 1.9);
+}
+
+void add_face(PolygonMesh& mesh, std::initializer_list<Vec3> corners) {
+  mesh.face_sizes.push_back(static_cast<std::uint32_t>(corners.size()));
+  for (const Vec3& p : corners) {
+    mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+    mesh.positions.push_back(p);
+  }
+}
+
+void add_block(PolygonMesh& mesh, const Vec3& a, const Vec3& b, bool hollow = false) {
+  const Vec3 p[] = {{a.x, a.y, a.z}, {b.x, a.y, a.z}, {b.x, b.y, a.z}, {a.x, b.y, a.z},
+                    {a.x, a.y, b.z}, {b.x, a.y, b.z}, {b.x, b.y, b.z}, {a.x, b.y, b.z}};
+  for (const auto& f : {std::array{3, 2, 1, 0},
+                        {4, 5, 6, 7},
+                        {0, 1, 5, 4},
+                        {1, 2, 6, 5},
+                        {2, 3, 7, 6},
+                        {3, 0, 4, 7}}) {
+    if (hollow)
+      add_face(mesh, {p[f[3]], p[f[2]], p[f[1]], p[f[0]]});
+    else
+      add_face(mesh, {p[f[0]], p[f[1]], p[f[2]], p[f[3]]});
+  }
+}
+
+PolygonMesh cubes_in_a_row(std::size_t n, bool hollow = false) {
+  PolygonMesh mesh;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = 2 * static_cast<double>(i);
+    add_block(mesh, {x, 0, 0}, {x + 1, 1, 1}, hollow);
+  }
+  return mesh;
+}
+
+PolygonMesh block_with_cavities(std::size_t n) {
+  PolygonMesh mesh = cubes_in_a_row(n, true);
+  add_block(mesh, {-1, -1, -1}, {2 * static_cast<double>(n), 2, 2});
+  return mesh;
+}
+
+// A block of n squares whose sides are flat.
+PolygonMesh block_of_squares(std::size_t n) {
+  const auto side = static_cast<int>(std::sqrt(static_cast<double>(n) / 2));
+  PolygonMesh mesh;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const double x = i, y = j, u = i + 1, v = j + 1;
+      add_face(mesh, {{x, y, 1}, {u, y, 1}, {u, v, 1}, {x, v, 1}});
+      add_face(mesh, {{x, v, 0}, {u, v, 0}, {u, y, 0}, {x, y, 0}});
+    }
+  for (int i = 0; i < side; ++i) {
+    const double x = i, u = i + 1, s = side;
+    add_face(mesh, {{x, 0, 0}, {u, 0, 0}, {u, 0, 1}, {x, 0, 1}});
+    add_face(mesh, {{u, s, 0}, {x, s, 0}, {x, s, 1}, {u, s, 1}});
+    add_face(mesh, {{s, x, 0}, {s, u, 0}, {s, u, 1}, {s, x, 1}});
+    add_face(mesh, {{0, u, 0}, {0, x, 0}, {0, x, 1}, {0, u, 1}});
+  }
+  return mesh;
+}
+
+// A prism whose base has n long slanted teeth.
+PolygonMesh slanted_comb(std::size_t n) {
+  const double width = static_cast<double>(n);
+  std::vector<Vec3> outline{{0, -1, 0}, {width, -1, 0}};
+  for (std::size_t i = n; i-- > 0;) {
+    const double x = static_cast<double>(i);
+    outline.push_back({x + width + 0.5, width, 0});
+    outline.push_back({x, 0, 0});
+  }
+  const auto count = static_cast<std::uint32_t>(outline.size());
+  PolygonMesh mesh;
+  mesh.positions = outline;
+  for (const Vec3& p : outline) mesh.positions.push_back({p.x, p.y, 1});
+  mesh.face_sizes = {count, count};
+  for (std::uint32_t i = count; i-- > 0;) mesh.indices.push_back(i);
+  for (std::uint32_t i = 0; i < count; ++i) mesh.indices.push_back(count + i);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t k = (i + 1) % count;
+    mesh.face_sizes.push_back(4);
+    mesh.indices.insert(mesh.indices.end(), {i, k, count + k, count + i});
+  }
+  return mesh;
+}
+
+// The test against itself looks at all pairs of boxes that overlap, and these do.
+Solid trusted(const PolygonMesh& mesh) {
+  ImportOptions options;
+  options.trusted = true;
+  return Solid::from_mesh(mesh, options);
+}
+
+Solid plate_with_pegs(std::size_t n) {
+  const auto side = static_cast<int>(std::sqrt(static_cast<double>(n)));
+  PolygonMesh pegs;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j)
+      add_block(pegs, {3.0 * i, 3.0 * j, 1}, {3.0 * i + 1, 3.0 * j + 1, 2});
+  const double end = 3.0 * side;
+  return boolean(block({-1, -1, 0}, {end, end, 1}), Solid::from_mesh(pegs), Operation::unite);
+}
+
+double import_growth(PolygonMesh (*make)(std::size_t), std::size_t n) {
+  return growth([&](std::size_t size) { return [mesh = make(size)] { Solid::from_mesh(mesh); }; },
+                n);
+}
+
+TEST(Growth, ImportOfCubesInARow) {
+  EXPECT_LT(import_growth([](std::size_t n) { return cubes_in_a_row(n); }, 200), n_log_n);
+}
+
+TEST(Growth, ImportOfABlockWithCavities) {
+  EXPECT_LT(import_growth(block_with_cavities, 200), n_log_n);
+}
+
+TEST(Growth, ValidationOfCubesInARow) {
+  EXPECT_LT(growth(
+                [](std::size_t n) {
+                  return [solid = Solid::from_mesh(cubes_in_a_row(n))] { validate(solid); };
+                },
+                200),
+            n_log_n);
+}
+
+TEST(Growth, ImportOfAFlatBlock) {
+  EXPECT_LT(import_growth(block_of_squares, 2000), n_log_n);
+  EXPECT_EQ(Solid::from_mesh(block_of_squares(2000)).counts().faces, 6u);
+}
+
+TEST(Growth, ImportOfASlantedComb) {
+  EXPECT_LT(growth([](std::size_t n) { return [mesh = slanted_comb(n)] { trusted(mesh); }; }, 200),
+            n_log_n);
+}
+
+TEST(Growth, CutThroughAComb) {
+  EXPECT_LT(growth(
+                [](std::size_t n) {
+                  const Solid comb = trusted(slanted_comb(n));
+                  return [comb, n] { split(comb, {0, 1, 0, -0.5 * static_cast<double>(n)}); };
+                },
+                200),
+            n_log_n);
+}
+
+TEST(Growth, CutThroughAPlateWithPegs) {
+  EXPECT_LT(growth(
+                [](std::size_t n) {
+                  return [plate = plate_with_pegs(n)] { split(plate, {0, 0, 1, -1}); };
+                },
+                100),
+            n_log_n);
+}
+
+TEST(Growth, MeshOfAPlateWithPegs) {
+  EXPECT_LT(
+      growth([](std::size_t n) { return [plate = plate_with_pegs(n)] { plate.to_mesh(); }; }, 400),
+      n_log_n);
 }
 
 TEST(Growth, ImportOfASphere) {

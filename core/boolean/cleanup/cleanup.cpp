@@ -22,6 +22,7 @@ class Cleaner {
         ends.push_back(brep_.from(Brep::half_edge(e, side)));
     for (const EdgeId e : seams_)
       if (within_one_face(e)) remove(Brep::half_edge(e));
+    std::sort(gone_.begin(), gone_.end());
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     std::sort(gone_.begin(), gone_.end());
@@ -101,7 +102,7 @@ class Cleaner {
   const std::vector<EdgeId>& seams_;
   Euler euler_;
   std::optional<Kernel> kernel_;
-  std::vector<VertexId> gone_;
+  std::vector<VertexId> gone_;  // sorted when all edges that may go have gone
 };
 
 }  // namespace
