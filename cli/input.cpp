@@ -9,6 +9,7 @@
 #include "file_formats.h"
 #include "problem.h"
 #include "repairing.h"
+#include "sectile/exact_file.h"
 
 namespace sectile::cli {
 namespace {
@@ -85,6 +86,17 @@ Model read_file(const std::string& name, const Options& options) {
   return read_model(in, *options.input_format, name);
 }
 
+// What an operation that failed leaves behind, to be done again.
+bool is_exact_file(const std::string& name) {
+  return std::filesystem::path(name).extension() == ".exact";
+}
+
+Solid read_exact_file(const std::string& name) {
+  std::ifstream in(name, std::ios::binary);
+  if (!in) throw FileError(name + ": cannot open");
+  return read_exact(in, name);
+}
+
 }  // namespace
 
 void check_inputs(const std::vector<std::string>& names) {
@@ -126,6 +138,10 @@ Operands read_operands(const std::vector<std::string>& names, const Options& opt
   std::optional<LengthUnit> unit;
   for (const std::string& name : names) {
     progress.stage("reading " + name);
+    if (is_exact_file(name)) {
+      operands.solids.push_back(read_exact_file(name));
+      continue;
+    }
     const Model model = read_input(name, options);
     if (input_format(name, options) == FileFormat::three_mf) {
       if (unit && *unit != model.unit)

@@ -2,37 +2,58 @@
 
 #include <unistd.h>
 
-#include <atomic>
+#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iomanip>
-#include <limits>
+#include <sstream>
+#include <system_error>
+
+#include "sectile/exact_file.h"
 
 namespace sectile {
 namespace {
 
-void write(const std::filesystem::path& path, const Solid& solid) {
-  std::ofstream out(path);
-  out.exceptions(std::ios::failbit | std::ios::badbit);
-  out << std::setprecision(std::numeric_limits<double>::max_digits10);
-  const PolygonMesh mesh = solid.to_mesh();
-  for (const Vec3& p : mesh.positions) out << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
-    out << "f " << mesh.indices[i] + 1 << ' ' << mesh.indices[i + 1] + 1 << ' '
-        << mesh.indices[i + 2] + 1 << '\n';
-  out.close();
+// A new file that nobody can have foreseen, for the user alone.
+class NewFile {
+ public:
+  explicit NewFile(const std::string& prefix)
+      : path_((std::filesystem::temp_directory_path() / (prefix + "XXXXXX.exact")).string()),
+        file_(mkstemps(path_.data(), 6)) {
+    if (file_ < 0) fail();
+  }
+  ~NewFile() { close(file_); }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  const std::string& path() const { return path_; }
+  void write(std::string_view text) {
+    while (!text.empty()) {
+      const ssize_t written = ::write(file_, text.data(), text.size());
+      if (written < 0 && errno != EINTR) fail();
+      if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+
+ private:
+  [[noreturn]] void fail() const { throw std::system_error(errno, std::generic_category(), path_); }
+
+  std::string path_;
+  int file_;
+};
+
+std::string save(const char* prefix, const Solid& solid) {
+  std::ostringstream text;
+  write_exact(text, solid);
+  NewFile file(prefix);
+  file.write(text.view());
+  return file.path();
 }
 
 }  // namespace
 
 std::string save_operands(const Solid& a, const Solid& b) {
-  static std::atomic<unsigned> count{0};
   try {
-    const auto stem = std::filesystem::temp_directory_path() /
-                      ("sectile-" + std::to_string(getpid()) + "-" + std::to_string(++count));
-    write(stem.string() + "-a.obj", a);
-    write(stem.string() + "-b.obj", b);
-    return "the operands were saved as " + stem.string() + "-a.obj and -b.obj";
+    const std::string first = save("sectile-a-", a), second = save("sectile-b-", b);
+    return "the operands were saved exactly as " + first + " and " + second;
   } catch (const std::exception& error) {
     return std::string("the operands could not be saved: ") + error.what();
   }

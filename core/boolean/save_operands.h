@@ -7,8 +7,8 @@
 
 namespace sectile {
 
-/// Writes both operands as OBJ files into the folder for temporary files. Says in words where, or
-/// why that was not possible.
+/// Writes both operands exactly (sectile/exact_file.h) into new files in the folder for temporary
+/// files, which only the user can read. Says in words where, or why that was not possible.
 std::string save_operands(const Solid& a, const Solid& b);
 
 }  // namespace sectile

@@ -62,6 +62,11 @@ Frame::Frame(const std::array<double, 12>& m) : doubles_(m), all_doubles_(true) 
   for (std::size_t i = 0; i < 12; ++i) entries_[i] = ExactNumber(Dyadic(m[i]));
 }
 
+Frame::Frame(const std::array<Dyadic, 12>& m) {
+  for (std::size_t i = 0; i < 12; ++i) entries_[i] = ExactNumber(m[i]);
+  find_doubles();
+}
+
 Frame operator*(const Frame& second, const Frame& first) {
   Frame product;
   for (int row = 0; row < 3; ++row)

@@ -42,6 +42,7 @@ class Frame {
  public:
   /// All entries are finite.
   explicit Frame(const std::array<double, 12>& m);
+  explicit Frame(const std::array<Dyadic, 12>& m);
   /// First `first`, then `second`, multiplied exactly.
   friend Frame operator*(const Frame& second, const Frame& first);
 

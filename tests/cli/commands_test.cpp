@@ -1,8 +1,10 @@
 // What each command does when all is well.
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "mesh_files.h"
 #include "program.h"
+#include "sectile/sectile.h"
 
 namespace sectile::test {
 namespace {
@@ -45,6 +47,20 @@ TEST_F(Commands, UnionOfAll) {
   const Json json = json_of({"check", "u.off"});
   EXPECT_EQ(json["volume"], 23);
   EXPECT_EQ(json["shells"], 2);
+}
+
+// What an operation that failed leaves behind.
+TEST_F(Commands, OperandsWithExactNumbers) {
+  std::ostringstream half;
+  write_exact(half, split(block({0, 0, 0}, {1, 1, 1}), {1, 1, 1, -1}).first);
+  write("half.exact", half.str());
+  EXPECT_EQ(run({"union", "half.exact", "c.obj", "-o", "u.obj"}).code, 0);
+  EXPECT_NEAR(volume_of("u.obj"), 8 + 5.0 / 6, 1e-15);
+  write("half.exact", half.str().substr(0, 100));
+  const Ended ended = run({"union", "half.exact", "c.obj", "-o", "v.obj"});
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_TRUE(ended.err.find("half.exact: ") != std::string::npos) << ended.err;
+  EXPECT_FALSE(exists("v.obj"));
 }
 
 TEST_F(Commands, IntersectionOfAll) {

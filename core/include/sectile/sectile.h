@@ -4,6 +4,7 @@
 #include "sectile/arrangement.h"
 #include "sectile/boolean.h"
 #include "sectile/errors.h"
+#include "sectile/exact_file.h"
 #include "sectile/exact_transform.h"
 #include "sectile/files.h"
 #include "sectile/mesh.h"
