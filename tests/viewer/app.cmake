@@ -4,8 +4,21 @@ if(TARGET sectile_viewer_app)
     SOURCES app_driver.cpp app_test.cpp app_drag_test.cpp app_habits_test.cpp app_measure_test.cpp
             app_output_test.cpp app_pattern_test.cpp app_place_test.cpp app_profile_test.cpp app_repair_test.cpp
             app_select_test.cpp app_tour_test.cpp app_transform_test.cpp app_tree_test.cpp app_work_test.cpp
+            document_test.cpp random_events_test.cpp random_person.cpp
             typed_number_test.cpp
     LIBRARIES sectile_viewer_app)
+endif()
+
+# Killed at any moment.
+if(TARGET sectile_viewer_app)
+  add_executable(crash_victim app_driver.cpp crash_victim.cpp random_person.cpp)
+  sectile_target(crash_victim)
+  target_include_directories(crash_victim PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(crash_victim PRIVATE sectile_viewer_app)
+  sectile_test(viewer_crash_test LABEL viewer SOURCES crash_test.cpp LIBRARIES sectile_viewer_scene)
+  target_compile_definitions(viewer_crash_test
+    PRIVATE SECTILE_CRASH_VICTIM="$<TARGET_FILE:crash_victim>")
+  add_dependencies(viewer_crash_test crash_victim)
 endif()
 
 # The program without a display: what it draws, and its exit codes.
@@ -21,7 +34,7 @@ endif()
 find_program(XVFB_RUN xvfb-run)
 find_program(XDOTOOL xdotool)
 if(TARGET sectile_viewer)
-  add_executable(program_in_window_test app_driver.cpp program_in_window_test.cpp)
+  add_executable(program_in_window_test app_driver.cpp program_in_window_test.cpp real_window.cpp)
   sectile_target(program_in_window_test)
   target_include_directories(program_in_window_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(program_in_window_test

@@ -79,6 +79,33 @@ void AppDriver::let_go(glm::dvec2 at) {
   settle();
 }
 
+void AppDriver::short_key(Key key, bool control, bool shift) {
+  Event event;
+  event.kind = Event::Kind::key_down;
+  event.key = key;
+  event.control = control;
+  event.shift = shift;
+  Event up = event;
+  up.kind = Event::Kind::key_up;
+  send({event});
+  send({up});
+}
+
+void AppDriver::short_click(glm::dvec2 at, bool shift) {
+  send({mouse(Event::Kind::mouse_move, at, MouseButton::left, shift, false),
+        mouse(Event::Kind::mouse_down, at, MouseButton::left, shift, false)});
+  send({mouse(Event::Kind::mouse_up, at, MouseButton::left, shift, false)});
+}
+
+void AppDriver::short_drag(glm::dvec2 from, glm::dvec2 to, MouseButton button, bool control,
+                           bool shift) {
+  send({mouse(Event::Kind::mouse_move, from, button, shift, control),
+        mouse(Event::Kind::mouse_down, from, button, shift, control)});
+  for (const double part : {0.4, 1.0})
+    send({mouse(Event::Kind::mouse_move, from + (to - from) * part, button, shift, control)});
+  send({mouse(Event::Kind::mouse_up, to, button, shift, control)});
+}
+
 void AppDriver::drag_and_key(glm::dvec2 from, glm::dvec2 to, char letter, bool control) {
   Event press;
   press.kind = Event::Kind::key_down;

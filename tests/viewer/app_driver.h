@@ -32,6 +32,10 @@ class AppDriver {
   /// The first part of a drag; other events may come before let_go().
   void hold(glm::dvec2 from, glm::dvec2 to, bool control = false);
   void let_go(glm::dvec2 at);
+  // The same in as few frames as it takes, without waiting for anything to come to rest.
+  void short_key(Key key, bool control, bool shift);
+  void short_click(glm::dvec2 at, bool shift);
+  void short_drag(glm::dvec2 from, glm::dvec2 to, MouseButton button, bool control, bool shift);
   /// A drag and a key right after it, all of it between two frames.
   void drag_and_key(glm::dvec2 from, glm::dvec2 to, char letter, bool control);
   void double_click(glm::dvec2 at);

@@ -1,23 +1,17 @@
 // The program itself in a window, with a real mouse and real keys. What it does is read from the
 // scene that it saves; where its handles are is told by a modeller of the same size in memory that
 // is given the same input. To be run under a display.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <functional>
 #include <thread>
 
 #include "app/samples_menu.h"
+#include "scene/recovery.h"
 #include "scene/scene_file.h"
 #include "viewer/app_driver.h"
+#include "viewer/real_window.h"
 
 namespace sectile::viewer {
 namespace {
@@ -25,68 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int width = 1000, height = 700;
-constexpr std::chrono::seconds patience{120};
-
-/// Waits for a condition; `again` is done at first and then every few seconds.
-bool wait_for(const std::function<bool()>& condition, const std::function<void()>& again = {},
-              std::chrono::seconds longest = patience) {
-  const auto start = std::chrono::steady_clock::now();
-  auto tried = start - patience;
-  while (!condition()) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - start > longest) return false;
-    if (again && now - tried > std::chrono::seconds(8)) again(), tried = now;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  return true;
-}
-
-bool act(const std::string& what) {
-  return std::system(("xdotool " + what).c_str()) == 0;
-}
-
-/// The output of a command that finds something; empty if it does not.
-std::string found_by(const std::string& command) {
-  std::string text;
-  FILE* pipe = popen(command.c_str(), "r");
-  if (!pipe) return text;
-  for (int c = fgetc(pipe); c != EOF && c != '\n'; c = fgetc(pipe)) text += static_cast<char>(c);
-  return pclose(pipe) == 0 ? text : std::string();
-}
-
-/// The program in a process of its own, which ends with this one.
-class Program {
- public:
-  Program(const fs::path& scene, const fs::path& data) {
-    const std::string size = std::to_string(width) + "x" + std::to_string(height);
-    child_ = fork();
-    if (child_ != 0) return;
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    setenv("XDG_DATA_HOME", data.c_str(), 1);
-    execl(SECTILE_VIEWER_PROGRAM, SECTILE_VIEWER_PROGRAM, "--scene", scene.c_str(), "--size",
-          size.c_str(), "--scale", "1", nullptr);
-    _exit(127);
-  }
-  ~Program() {
-    if (is_running()) {
-      kill(child_, SIGKILL);
-      waitpid(child_, &status_, 0);
-    }
-  }
-  Program(const Program&) = delete;
-  Program& operator=(const Program&) = delete;
-
-  bool is_running() {
-    if (!ended_) ended_ = waitpid(child_, &status_, WNOHANG) == child_;
-    return !ended_;
-  }
-  int exit_code() const { return ended_ && WIFEXITED(status_) ? WEXITSTATUS(status_) : -1; }
-
- private:
-  pid_t child_ = -1;
-  bool ended_ = false;
-  int status_ = 0;
-};
 
 class ProgramInWindow : public testing::Test {
  protected:
@@ -175,7 +107,7 @@ TEST_F(ProgramInWindow, ClicksDragsUnitesUndoesAndSaves) {
   const Vec3 wanted = twin.scene().at(solid).placement.position;
   ASSERT_NE(wanted, before.at(solid).placement.position);
 
-  Program program(file_, folder_ / "data");
+  Program program(file_, folder_ / "data", width, height);
   ASSERT_TRUE(open_window());
   ASSERT_EQ(saved(), before);
   // Until the solids are computed a click meets nothing, and the drag turns the view.
@@ -220,7 +152,7 @@ TEST_F(ProgramInWindow, MovesByKeysAndTypedNumbersCopiesAndPastes) {
   const NodeId solid = operands_[1];
   const glm::dvec2 clicked = place_on(twin, solid);
 
-  Program program(file_, folder_ / "data");
+  Program program(file_, folder_ / "data", width, height);
   ASSERT_TRUE(open_window());
   ASSERT_EQ(saved(), before);
   // Until the solids are computed a click meets nothing, and the keys do nothing.
@@ -251,6 +183,24 @@ TEST_F(ProgramInWindow, MovesByKeysAndTypedNumbersCopiesAndPastes) {
   ASSERT_TRUE(act(select + " key g" + place(clicked + glm::dvec2(90, 0)) + " key Escape"));
   EXPECT_EQ(saved(), pasted);
   EXPECT_TRUE(wait_for([&] { return !program.is_running(); }, [] { act("key ctrl+q"); }));
+}
+
+TEST_F(ProgramInWindow, KilledItKeepsWhatWasDone) {
+  write_operands("fig01");
+  Program program(file_, folder_ / "data", width, height);
+  ASSERT_TRUE(open_window());
+  const Scene before = saved();
+  ASSERT_TRUE(act("key ctrl+a key u"));
+  // Two seconds are the promise, the rest is for the display.
+  std::this_thread::sleep_for(std::chrono::seconds(4));
+  program.kill_at_once();
+  const std::vector<LostWork> lost = Recovery::find(folder_ / "data" / "sectile");
+  ASSERT_EQ(lost.size(), 1u);
+  EXPECT_EQ(lost.front().title, "two.sectile");
+  const Scene back = Recovery::read(lost.front()).scene;
+  ASSERT_EQ(back.roots().size(), 1u);
+  EXPECT_EQ(back.at(back.roots().front()).children, operands_);
+  EXPECT_EQ(read_scene(file_).scene, before) << "the file is not touched";
 }
 
 }  // namespace

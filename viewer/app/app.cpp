@@ -264,6 +264,8 @@ class App::Implementation {
 
   void draw_picture(double seconds) {
     navigation_.update(session_, layout_.picture);
+    // Drawing may take long, and the program may be killed in the meantime.
+    session_.document.keep_copy();
     still_for_ = session_.view.camera == seen_camera_ ? still_for_ + seconds : 0;
     seen_camera_ = session_.view.camera;
     Picture picture = pictures_.make(session_);

@@ -43,9 +43,21 @@ void Document::save(const std::filesystem::path& path) {
 }
 
 void Document::keep_copy() {
-  if (!recovery_ || has_draft() || !is_changed() || kept_ == revision()) return;
-  kept_ = revision();
-  recovery_->keep({scene(), {}}, path_.empty() ? "unnamed" : path_.filename().string());
+  const std::pair state(started_, history_.committed_number());
+  if (!recovery_ || state == kept_) return;
+  kept_ = state;
+  // What undo led back to is in the file: an older copy would bring back what was undone.
+  if (history_.is_committed_saved())
+    recovery_->forget();
+  else
+    recovery_->keep({committed(), {}}, path_.empty() ? "unnamed" : path_.filename().string());
+}
+
+bool Document::keep_copy_now() {
+  keep_copy();
+  if (!recovery_) return false;
+  recovery_->flush();
+  return recovery_->error().empty();
 }
 
 }  // namespace sectile::viewer

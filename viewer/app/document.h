@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "scene/history.h"
 #include "scene/recovery.h"
@@ -42,14 +43,19 @@ class Document {
   const std::filesystem::path& path() const { return path_; }
   bool is_changed() const { return !history_.is_saved(); }
 
-  /// Keeps a copy of what is not saved; called every frame.
+  /// Without what is being dragged.
+  const Scene& committed() const { return history_.committed(); }
+  /// Keeps a copy of what is decided and not saved; called whenever something may have been.
   void keep_copy();
+  /// The same, at once on disk: false if it is not.
+  bool keep_copy_now();
 
  private:
   History history_;
   std::unique_ptr<Recovery> recovery_;
   std::filesystem::path path_;
-  std::uint64_t started_ = 0, kept_ = 0;
+  std::uint64_t started_ = 0;
+  std::pair<std::uint64_t, std::uint64_t> kept_{0, 0};  ///< of which document which step
 };
 
 }  // namespace sectile::viewer

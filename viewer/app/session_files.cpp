@@ -340,7 +340,8 @@ void Session::recover(const LostWork& work) {
     start({}, {});
     document.commit("Recover", std::move(scene));
     frame_next_ = true;
-    Recovery::discard(work);
+    // Until there is a copy of this session's, theirs is the only one.
+    if (document.keep_copy_now()) Recovery::discard(work);
   } catch (const std::exception& error) {
     interface.messages.error(std::string("The unsaved work cannot be read: ") + error.what());
   }

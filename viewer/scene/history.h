@@ -51,6 +51,10 @@ class History {
   void mark_saved() { saved_ = steps_[now_].number; }
   /// Is what is in the file? Also true when undo went back to what was saved.
   bool is_saved() const { return !draft_ && saved_ == steps_[now_].number; }
+  /// Without the draft of a drag under way, which is not decided yet.
+  const Scene& committed() const { return steps_[now_].scene; }
+  std::uint64_t committed_number() const { return steps_[now_].number; }  ///< of no other step
+  bool is_committed_saved() const { return saved_ == steps_[now_].number; }
   /// Changes whenever scene() may have changed.
   std::uint64_t revision() const { return revision_; }
 
