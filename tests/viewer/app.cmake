@@ -34,7 +34,8 @@ endif()
 find_program(XVFB_RUN xvfb-run)
 find_program(XDOTOOL xdotool)
 if(TARGET sectile_viewer)
-  add_executable(program_in_window_test app_driver.cpp program_in_window_test.cpp real_window.cpp)
+  add_executable(program_in_window_test app_driver.cpp program_in_window_test.cpp real_window.cpp
+                 scripted_person_test.cpp)
   sectile_target(program_in_window_test)
   target_include_directories(program_in_window_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(program_in_window_test

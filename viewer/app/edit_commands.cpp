@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/box_select.h"
+#include "app/chamfer_tool.h"
 #include "app/command_lists.h"
 #include "app/icons.h"
 #include "app/modal_transform.h"
@@ -189,6 +190,13 @@ std::vector<Command> operation_commands() {
        {{'P'}},
        [](Session& s) { s.split(); },
        [](const Session& s) { return s.topmost_selected().size() == 1; }},
+      {"operation.chamfer",
+       "Chamfer an edge",
+       "Cuts off an edge: click it, and type how wide.",
+       "",
+       {{'B', true}},
+       [](Session& s) { s.begin_tool(std::make_unique<ChamferTool>()); },
+       [](const Session& s) { return s.is_modelling() && s.scene().size() > 0; }},
   };
 }
 
