@@ -88,7 +88,7 @@ class Tree {
     if (node.children.empty()) flags |= ImGuiTreeNodeFlags_Leaf;
     if (session_.is_selected(node.id)) flags |= ImGuiTreeNodeFlags_Selected;
     const bool renaming = session_.interface.renaming.node == node.id;
-    const std::string text = renaming ? std::string() : label(node);
+    const std::string whole = label(node), text = renaming ? std::string() : fitted(whole);
     if (!node.visible)
       ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     const bool open = ImGui::TreeNodeEx("row", flags, "%s", text.c_str());
@@ -98,9 +98,24 @@ class Tree {
       draw_name_field(node);
       return open;
     }
+    if (text != whole) tooltip(node.name);
     react(node);
     draw_badge(node, place);
     return open;
+  }
+
+  /// Far inside of others a name is not to run into the badge at the right.
+  static std::string fitted(std::string text) {
+    constexpr float badge = 26;
+    const float room = std::max(
+        40.0f, ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing() - badge);
+    if (text_width(text) <= room) return text;
+    while (!text.empty() && text_width(text + "\u2026") > room) {
+      // The bytes of a character go together.
+      while (text.size() > 1 && (text.back() & 0xC0) == 0x80) text.pop_back();
+      text.pop_back();
+    }
+    return text + "\u2026";
   }
 
   std::string label(const Node& node) const {
