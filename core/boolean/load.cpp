@@ -1,8 +1,12 @@
 // Finds the pairs of faces that may meet, and loads these faces.
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
+#include <memory>
 
 #include "boolean/boolean.h"
 #include "boolean/collect.h"
+#include "storage/near_faces.h"
 
 namespace sectile {
 namespace {
@@ -78,15 +82,22 @@ class CommonHubs {
     return place_[0][first_[0][slot_of_a] + hub_of_a] == place_[1][first_[1][slot_of_b] + hub_of_b];
   }
 
-  /// The pairs that leave a common hub in a common direction, and each face at least once.
+  /// The pairs that leave a common hub in a common direction.
   void add_pairs(FacePairs& pairs) const {
     for_each_place([&](const Fan& a, const Fan& b, const Vec3&) {
       BoxTree::overlaps(BoxTree(a.directions), BoxTree(b.directions),
                         [&](std::uint32_t i, std::uint32_t j) {
                           pairs.push_back({a.faces[i], b.faces[j]});
                         });
-      for (const FaceId f : a.faces) pairs.push_back({f, b.faces.front()});
-      for (const FaceId g : b.faces) pairs.push_back({a.faces.front(), g});
+    });
+  }
+
+  /// All faces at a common hub meet there.
+  template <class Marks>
+  void mark_faces(Marks& of_a, Marks& of_b) const {
+    for_each_place([&](const Fan& a, const Fan& b, const Vec3&) {
+      for (const FaceId f : a.faces) of_a.mark(f);
+      for (const FaceId g : b.faces) of_b.mark(g);
     });
   }
 
@@ -161,13 +172,65 @@ class CommonHubs {
   std::vector<std::uint32_t> place_[2];  // per hub
 };
 
-std::vector<FaceId> faces_of(const FacePairs& pairs, bool second) {
-  std::vector<FaceId> faces;
-  faces.reserve(pairs.size());
-  for (const auto& [f, g] : pairs) faces.push_back(second ? g : f);
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
+// The faces of the slots that are near, those in pairs marked. They have numbers one after another:
+// neither sorting nor search finds what is loaded.
+class NearFaceMarks {
+ public:
+  NearFaceMarks(const SolidData& solid, std::span<const std::uint32_t> slots)
+      : solid_(solid), slots_(slots), first_(solid.slots().size()) {
+    std::uint32_t count = 0;
+    for (const std::uint32_t slot : slots) {
+      first_[slot] = count;
+      count += static_cast<std::uint32_t>(solid.slot(slot).block->brep.face_count());
+    }
+    loaded_.assign(count, none);
+  }
+
+  void mark(FaceId f) { loaded_[number(f)] = 0; }
+  /// Those that are marked, ascending; they are numbered in that order.
+  std::vector<FaceId> marked() {
+    std::vector<FaceId> faces;
+    for (const std::uint32_t slot : slots_) {
+      const std::size_t count = solid_.slot(slot).block->brep.face_count();
+      for (std::size_t f = 0; f < count; ++f) {
+        std::uint32_t& loaded = loaded_[first_[slot] + f];
+        if (loaded == none) continue;
+        loaded = static_cast<std::uint32_t>(faces.size());
+        faces.push_back(solid_.face(slot, FaceId(f)));
+      }
+    }
+    return faces;
+  }
+  /// The face of the patch that was loaded with the marked ones.
+  FaceId loaded_face(const Patch& patch, FaceId f) const {
+    return patch.whole ? f : FaceId(loaded_[number(f)]);
+  }
+
+ private:
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
+  std::size_t number(FaceId f) const {
+    const std::uint32_t slot = solid_.slot_of(f);
+    return first_[slot] + solid_.local(slot, f).value();
+  }
+
+  const SolidData& solid_;
+  std::span<const std::uint32_t> slots_;
+  std::vector<std::uint32_t> first_;   // per slot that is near
+  std::vector<std::uint32_t> loaded_;  // per face of these slots
+};
+
+// Ascending, each once: by the first face at one go, then by the second ones of each.
+void sort(FacePairs& pairs, std::size_t first_faces) {
+  std::vector<std::uint32_t> end(first_faces + 1, 0);
+  for (const auto& [f, g] : pairs) ++end[f.value() + 1];
+  for (std::size_t f = 0; f < first_faces; ++f) end[f + 1] += end[f];
+  FacePairs sorted(pairs.size());
+  for (const auto& pair : pairs) sorted[end[pair.first.value()]++] = pair;
+  for (std::size_t f = 0, from = 0; f < first_faces; from = end[f++])
+    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(from),
+              sorted.begin() + static_cast<std::ptrdiff_t>(end[f]));
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  pairs = std::move(sorted);
 }
 
 }  // namespace
@@ -180,18 +243,27 @@ FaceId loaded_face(const Patch& patch, FaceId face) {
 
 namespace {
 
-// Pairs of faces whose boxes overlap, but for those that have a hub in common.
+// Those that are asked for are made side by side.
+void make_trees(const Workspace& w, const SolidData& solid, std::span<const std::uint32_t> slots) {
+  collect<int>(w, slots.size(), 16,
+               [&](std::size_t i, int&) { solid.slot(slots[i]).block->tree(); });
+}
+
+// Pairs of faces that may meet, but for those that have a hub in common.
 void add_pairs(const Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs& slots,
                const CommonHubs& hubs, FacePairs& pairs) {
+  tbb::enumerable_thread_specific<std::unique_ptr<NearFaces>> near_faces;
   const auto parts =
       collect<FacePairs>(w, slots.pairs().size(), 8, [&](std::size_t i, FacePairs& out) {
         const auto [s, t] = slots.pairs()[i];
-        BoxTree::overlaps(
-            a.slot(s).block->tree(), b.slot(t).block->tree(),
-            [&](std::uint32_t f, std::uint32_t g) {
+        auto& near = near_faces.local();
+        if (!near) near = std::make_unique<NearFaces>();
+        (*near)(
+            *a.slot(s).block, *b.slot(t).block,
+            [&, s = s, t = t](std::uint32_t f, std::uint32_t g) {
               out.push_back({a.face(s, FaceId(f)), b.face(t, FaceId(g))});
             },
-            [&](std::uint32_t hub, std::uint32_t other) {
+            [&, s = s, t = t](std::uint32_t hub, std::uint32_t other) {
               return !hubs.empty() && hubs.are_at_one_place(s, hub, t, other);
             });
       });
@@ -202,21 +274,28 @@ void add_pairs(const Workspace& w, const SolidData& a, const SolidData& b, const
 
 void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs) {
   const SlotPairs slots(a, b);
+  make_trees(w, a, slots.slots(0));
+  make_trees(w, b, slots.slots(1));
   const CommonHubs hubs(a, b, slots);
   pairs.clear();
   add_pairs(w, a, b, slots, hubs, pairs);
   hubs.add_pairs(pairs);
-  w.patch[0] = load_patch(a, faces_of(pairs, false), w.geometry);
-  w.patch[1] = load_patch(b, faces_of(pairs, true), w.geometry);
+  NearFaceMarks marks[2] = {{a, slots.slots(0)}, {b, slots.slots(1)}};
+  for (const auto& [f, g] : pairs) {
+    marks[0].mark(f);
+    marks[1].mark(g);
+  }
+  hubs.mark_faces(marks[0], marks[1]);
+  w.patch[0] = load_patch(a, marks[0].marked(), w.geometry);
+  w.patch[1] = load_patch(b, marks[1].marked(), w.geometry);
   w.kernel = std::make_unique<Kernel>(w.geometry);
   for (Patch& patch : w.patch) complete_patch(patch, w.geometry, *w.kernel);
   for (auto& [f, g] : pairs) {
-    f = loaded_face(w.patch[0], f);
-    g = loaded_face(w.patch[1], g);
+    f = marks[0].loaded_face(w.patch[0], f);
+    g = marks[1].loaded_face(w.patch[1], g);
   }
   hubs.add_pairs_of_owners(w, pairs);
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sort(pairs, w.patch[0].loaded_faces);
 }
 
 }  // namespace sectile

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -37,16 +38,30 @@ class BoxTree {
   /// The same without the pairs of items whose groups satisfy skip(group of a, group of b).
   template <class Visit, class Skip>
   static void overlaps(const BoxTree& a, const BoxTree& b, Visit&& visit, const Skip& skip) {
-    if (a.empty() || b.empty()) return;
-    overlaps(a, a.root(), b, b.root(), visit, skip);
+    overlaps(a, b, visit, skip, [](Node, Node) { return false; });
   }
 
- private:
+  /// A leaf (on level 0) or what is above leaves.
   struct Node {
     std::uint32_t level, index;
   };
+  /// The same without the items under pairs of nodes that satisfy apart(node of a, node of b).
+  template <class Visit, class Skip, class Apart>
+  static void overlaps(const BoxTree& a, const BoxTree& b, Visit&& visit, const Skip& skip,
+                       const Apart& apart) {
+    if (a.empty() || b.empty()) return;
+    overlaps(a, a.root(), b, b.root(), visit, skip, apart);
+  }
 
- public:
+  std::uint32_t level_count() const { return static_cast<std::uint32_t>(levels_.size()); }
+  std::size_t node_count(std::uint32_t level) const { return levels_[level].size(); }
+  const Box& box(Node n) const { return levels_[n.level][n.index]; }
+  /// The items under a node.
+  std::span<const std::uint32_t> items(Node n) const {
+    const std::size_t width = std::size_t(leaf_size) << n.level, from = n.index * width;
+    return std::span(items_).subspan(from, std::min(width, items_.size() - from));
+  }
+
   /// A part of all pairs of a tree's own items: those of two nodes, or of one node.
   class SelfPart {
     friend class BoxTree;
@@ -62,7 +77,6 @@ class BoxTree {
 
  private:
   Node root() const { return {static_cast<std::uint32_t>(levels_.size() - 1), 0}; }
-  const Box& box(Node n) const { return levels_[n.level][n.index]; }
   bool has_second_child(Node n) const {
     return 2 * std::size_t(n.index) + 1 < levels_[n.level - 1].size();
   }
@@ -72,9 +86,9 @@ class BoxTree {
     return {leaf * leaf_size, std::min(count, (leaf + 1) * leaf_size)};
   }
 
-  template <class Visit, class Skip>
+  template <class Visit, class Skip, class Apart>
   static void overlaps(const BoxTree& a, Node p, const BoxTree& b, Node q, Visit& visit,
-                       const Skip& skip);
+                       const Skip& skip, const Apart& apart);
   template <class Skip>
   static bool skips(const BoxTree& a, Node p, const BoxTree& b, Node q, const Skip& skip) {
     if (a.group_levels_.empty() || b.group_levels_.empty()) return false;
@@ -109,7 +123,9 @@ template <class Visit>
 void BoxTree::self_overlaps(const SelfPart& part, Visit&& visit) const {
   const auto [p, q] = std::pair(part.p, part.q);
   if (p.level != q.level || p.index != q.index) {
-    overlaps(*this, p, *this, q, visit, [](std::uint32_t, std::uint32_t) { return false; });
+    overlaps(
+        *this, p, *this, q, visit, [](std::uint32_t, std::uint32_t) { return false; },
+        [](Node, Node) { return false; });
     return;
   }
   if (p.level > 0) {
@@ -127,15 +143,16 @@ void BoxTree::self_overlaps(const SelfPart& part, Visit&& visit) const {
       if (item_boxes_[i].overlaps(item_boxes_[j])) visit(items_[i], items_[j]);
 }
 
-template <class Visit, class Skip>
+template <class Visit, class Skip, class Apart>
 void BoxTree::overlaps(const BoxTree& a, Node p, const BoxTree& b, Node q, Visit& visit,
-                       const Skip& skip) {
-  if (!a.box(p).overlaps(b.box(q)) || skips(a, p, b, q, skip)) return;
+                       const Skip& skip, const Apart& apart) {
+  if (!a.box(p).overlaps(b.box(q)) || skips(a, p, b, q, skip) || apart(p, q)) return;
   if (p.level == 0 && q.level == 0) {
     const bool grouped = !a.item_groups_.empty() && !b.item_groups_.empty();
     const auto [from_a, to_a] = a.range(p.index);
     const auto [from_b, to_b] = b.range(q.index);
-    for (std::uint32_t i = from_a; i < to_a; ++i)
+    for (std::uint32_t i = from_a; i < to_a; ++i) {
+      if (!a.item_boxes_[i].overlaps(b.box(q))) continue;
       for (std::uint32_t j = from_b; j < to_b; ++j) {
         if (!a.item_boxes_[i].overlaps(b.item_boxes_[j])) continue;
         if (grouped && a.item_groups_[i] != no_group && b.item_groups_[j] != no_group &&
@@ -143,14 +160,15 @@ void BoxTree::overlaps(const BoxTree& a, Node p, const BoxTree& b, Node q, Visit
           continue;
         visit(a.items_[i], b.items_[j]);
       }
+    }
     return;
   }
   if (p.level >= q.level) {
-    overlaps(a, child(p, 0), b, q, visit, skip);
-    if (a.has_second_child(p)) overlaps(a, child(p, 1), b, q, visit, skip);
+    overlaps(a, child(p, 0), b, q, visit, skip, apart);
+    if (a.has_second_child(p)) overlaps(a, child(p, 1), b, q, visit, skip, apart);
   } else {
-    overlaps(a, p, b, child(q, 0), visit, skip);
-    if (b.has_second_child(q)) overlaps(a, p, b, child(q, 1), visit, skip);
+    overlaps(a, p, b, child(q, 0), visit, skip, apart);
+    if (b.has_second_child(q)) overlaps(a, p, b, child(q, 1), visit, skip, apart);
   }
 }
 

@@ -1,9 +1,13 @@
 // The hierarchy over the faces of a solid.
 #pragma once
 
+#include <memory>
+#include <mutex>
+
 #include "geometry/geometry.h"
 #include "search/box_tree.h"
 #include "search/hubs.h"
+#include "search/oriented_tree.h"
 #include "topology/brep.h"
 
 namespace sectile {
@@ -16,10 +20,15 @@ class FaceTree : public BoxTree {
  public:
   FaceTree(const Brep& brep, const Geometry& geometry) : FaceTree(brep, geometry, Hubs(brep)) {}
   const Hubs& hubs() const { return hubs_; }
+  /// Oriented boxes for the faces of which this was made, if they are much smaller than the
+  /// axis-parallel ones. Found when first asked for, and then kept.
+  const OrientedTree* oriented(const Brep& brep, const Geometry& geometry) const;
 
  private:
   FaceTree(const Brep& brep, const Geometry& geometry, Hubs hubs);
   Hubs hubs_;
+  mutable std::once_flag oriented_once_;
+  mutable std::unique_ptr<OrientedTree> oriented_;
 };
 
 }  // namespace sectile

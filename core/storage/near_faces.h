@@ -1,0 +1,87 @@
+// The faces of two blocks that may meet: a pair is asked with its own planes and edges before
+// anyone writes it down.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "search/hull.h"
+#include "storage/block.h"
+
+namespace sectile {
+
+/// Hulls of the faces of one block that were asked for last.
+class HullCache {
+ public:
+  void start(const Block& block) {
+    block_ = &block;
+    face_.fill(none);
+  }
+  const Hull& operator[](std::uint32_t face) {
+    const std::size_t at = face % size;
+    if (face_[at] != face) {
+      face_[at] = face;
+      hull_[at] = face_hull(block_->brep, block_->geometry, FaceId(face));
+    }
+    return hull_[at];
+  }
+
+ private:
+  static constexpr std::size_t size = 32;
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
+  const Block* block_ = nullptr;
+  std::array<std::uint32_t, size> face_;
+  std::array<Hull, size> hull_;
+};
+
+/// One for each thread.
+class NearFaces {
+ public:
+  /// Calls visit(face of a, face of b) for all pairs that meet and for few others, but not for
+  /// those whose hubs satisfy skip(hub of a, hub of b).
+  template <class Visit, class Skip>
+  void operator()(const Block& a, const Block& b, const Visit& visit, const Skip& skip) {
+    if (a.brep.face_count() * b.brep.face_count() <= few_pairs) {
+      BoxTree::overlaps(a.tree(), b.tree(), visit, skip);
+      return;
+    }
+    const Nodes nodes(a, b);
+    hulls_[0].start(a);
+    hulls_[1].start(b);
+    BoxTree::overlaps(
+        a.tree(), b.tree(),
+        [&](std::uint32_t f, std::uint32_t g) {
+          if (!apart(hulls_[0][f], hulls_[1][g])) visit(f, g);
+        },
+        skip, [&](BoxTree::Node p, BoxTree::Node q) { return nodes.are_apart(p, q); });
+  }
+
+ private:
+  // Oriented boxes, if one of the blocks has them.
+  class Nodes {
+   public:
+    Nodes(const Block& a, const Block& b)
+        : a_(a.tree()),
+          b_(b.tree()),
+          oriented_a_(a_.oriented(a.brep, a.geometry)),
+          oriented_b_(b_.oriented(b.brep, b.geometry)) {}
+
+    bool are_apart(BoxTree::Node p, BoxTree::Node q) const {
+      if (oriented_a_ && oriented_b_) return apart((*oriented_a_)[p], (*oriented_b_)[q]);
+      if (oriented_a_) return apart((*oriented_a_)[p], OrientedBox(b_.box(q)));
+      if (oriented_b_) return apart(OrientedBox(a_.box(p)), (*oriented_b_)[q]);
+      return false;
+    }
+
+   private:
+    const FaceTree &a_, &b_;
+    const OrientedTree *oriented_a_, *oriented_b_;
+  };
+
+  // So few are tested exactly in no more time.
+  static constexpr std::size_t few_pairs = 1024;
+
+  HullCache hulls_[2];
+};
+
+}  // namespace sectile

@@ -1,0 +1,109 @@
+// How many pairs of faces are looked at where boxes say nothing.
+#include "storage/near_faces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "sectile/boolean.h"
+#include "sectile/validate.h"
+#include "storage/solid_data.h"
+
+namespace sectile {
+namespace {
+
+// A twisted prism of so many sides: needles from end to end.
+Solid needles(std::uint32_t sides, double radius, double twist) {
+  PolygonMesh mesh;
+  for (const double z : {-1.0, 1.0})
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const double angle = 2 * std::numbers::pi * i / sides + z * twist / 2;
+      mesh.positions.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+    }
+  const auto add = [&](std::initializer_list<std::uint32_t> corners) {
+    mesh.face_sizes.push_back(static_cast<std::uint32_t>(corners.size()));
+    mesh.indices.insert(mesh.indices.end(), corners);
+  };
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const std::uint32_t j = (i + 1) % sides;
+    add({i, j, sides + i});
+    add({j, sides + j, sides + i});
+  }
+  for (const bool top : {false, true}) {
+    mesh.face_sizes.push_back(sides);
+    for (std::uint32_t i = 0; i < sides; ++i)
+      mesh.indices.push_back(top ? sides + i : sides - 1 - i);
+  }
+  ImportOptions options;
+  options.trusted = true;
+  return Solid::from_mesh(mesh, options);
+}
+
+struct Counts {
+  std::size_t boxes = 0, faces = 0;
+};
+
+Counts pairs(const Solid& a, const Solid& b) {
+  Counts counts;
+  NearFaces near;
+  const auto none = [](std::uint32_t, std::uint32_t) { return false; };
+  for (const Slot& s : a.data()->slots())
+    for (const Slot& t : b.data()->slots()) {
+      if (s.empty() || t.empty()) continue;
+      BoxTree::overlaps(s.block->tree(), t.block->tree(),
+                        [&](std::uint32_t, std::uint32_t) { ++counts.boxes; });
+      near(
+          *s.block, *t.block, [&](std::uint32_t, std::uint32_t) { ++counts.faces; }, none);
+    }
+  return counts;
+}
+
+TEST(NearFaces, NeedlesBesideEachOtherAreApart) {
+  const Counts found = pairs(needles(400, 1, 2), needles(300, 0.9, -2));
+  EXPECT_GT(found.boxes, 100'000u);
+  EXPECT_LT(found.faces, 2'000u);  // the flat ends and what is next to them
+}
+
+// How often a mesh of triangles winds around a point, by the solid angles of its triangles.
+double winding(const PolygonMesh& mesh, const Vec3& around) {
+  const auto corner = [&](std::size_t i) {
+    const Vec3& p = mesh.positions[mesh.indices[i]];
+    return Vec3{p.x - around.x, p.y - around.y, p.z - around.z};
+  };
+  const auto dot = [](const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
+  double angle = 0;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const Vec3 a = corner(i), b = corner(i + 1), c = corner(i + 2);
+    const double la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
+    const Vec3 across{b.y * c.z - b.z * c.y, b.z * c.x - b.x * c.z, b.x * c.y - b.y * c.x};
+    angle += 2 * std::atan2(dot(a, across),
+                            la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+  }
+  return angle / (4 * std::numbers::pi);
+}
+
+TEST(NearFaces, NoPairThatMeetsIsLost) {
+  const Solid a = needles(60, 1, 2), b = needles(50, 1, -2);
+  const PolygonMesh mesh_a = a.to_mesh(), mesh_b = b.to_mesh();
+  const Solid both = boolean(a, b, Operation::unite), inner = boolean(a, b, Operation::intersect);
+  EXPECT_TRUE(validate(both).empty());
+  EXPECT_TRUE(validate(inner).empty());
+  const PolygonMesh mesh_both = both.to_mesh(), mesh_inner = inner.to_mesh();
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> anywhere(-1.1, 1.1);
+  int in_one = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 p{anywhere(engine), anywhere(engine), anywhere(engine)};
+    const double in_a = winding(mesh_a, p), in_b = winding(mesh_b, p);
+    EXPECT_NEAR(winding(mesh_both, p), std::max(in_a, in_b), 1e-9);
+    EXPECT_NEAR(winding(mesh_inner, p), std::min(in_a, in_b), 1e-9);
+    if (std::abs(in_a - in_b) > 0.5) ++in_one;
+  }
+  EXPECT_GT(in_one, 5);
+}
+
+}  // namespace
+}  // namespace sectile
