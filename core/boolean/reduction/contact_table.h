@@ -38,9 +38,26 @@ struct PairOfFaces {
   std::uint32_t first_sided[2], last_sided[2];
 };
 
+/// Where the hits of each edge and vertex of a solid begin in a list that is ascending by key.
+class HitsOfPiercers {
+ public:
+  HitsOfPiercers() = default;
+  HitsOfPiercers(std::span<const Hit> hits, const Brep& brep);
+  /// The numbers of the first hit and of the one behind the last.
+  std::pair<std::uint32_t, std::uint32_t> operator[](Entity piercer) const {
+    const std::size_t at = piercer.is_edge() ? piercer.index() + vertices_ : piercer.index();
+    return {first_[at], first_[at + 1]};
+  }
+
+ private:
+  std::size_t vertices_ = 0;
+  std::vector<std::uint32_t> first_;  // vertices, then edges, then the end
+};
+
 /// The outcome of the tests of all pairs. [s]: the piercer or edge belongs to solid s.
 struct ContactTable {
   std::vector<Hit> hits[2];  ///< ascending by key
+  HitsOfPiercers hits_of[2];
   std::vector<InPlane> in_plane[2];
   std::vector<std::pair<EdgeId, EdgeId>> flat_crossings;
   std::vector<PairOfFaces> pairs;  ///< not separated by one of their planes

@@ -2,11 +2,13 @@
 // of the other that comes near it, once.
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 #include "boolean/collect.h"
 #include "boolean/face_location.h"
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
+#include "search/large_sort.h"
 
 namespace sectile {
 namespace {
@@ -64,10 +66,14 @@ struct PairOutput {
   std::vector<PairOfFaces> pairs;
   std::vector<SidedHalfEdge> meeting[2];
   std::vector<SidedHalfEdge> sided[2];  // scratch
+  std::vector<HalfEdgeId> flat[2];      // scratch
   std::vector<Entity> found;            // scratch
 };
 
 class PairTest {
+  // So many are tested one by one.
+  static constexpr std::size_t few_pairs = 256;
+
  public:
   PairTest(const Workspace& w, PairOutput& out) : w_(w), kernel_(w.tests()), out_(out) {}
 
@@ -129,16 +135,44 @@ class PairTest {
   // Two edges between coplanar faces in one plane: no face is crossed there, so the edges are
   // tested against each other.
   void cross_flat_edges(FaceId a, FaceId b) {
-    for (const SidedHalfEdge& i : out_.sided[0]) {
-      const EdgeId e = Brep::edge_of(i.h);
-      if (!w_.patch[0].is_flat(e) || w_.patch[0].owner(e) != a) continue;
-      for (const SidedHalfEdge& j : out_.sided[1]) {
-        const EdgeId f = Brep::edge_of(j.h);
-        if (!w_.patch[1].is_flat(f) || w_.patch[1].owner(f) != b) continue;
-        if (ends_apart(0, i.h, w_.patch[1].side(j.h)) && ends_apart(1, j.h, w_.patch[0].side(i.h)))
-          out_.flat_crossings.push_back({e, f});
-      }
+    collect_flat(0, a);
+    collect_flat(1, b);
+    const auto& [of_a, of_b] = out_.flat;
+    if (of_a.size() * of_b.size() <= few_pairs) {
+      for (const HalfEdgeId h : of_a)
+        for (const HalfEdgeId i : of_b) cross_flat(h, i);
+    } else {
+      BoxTree::overlaps(box_tree(0), box_tree(1), [&](std::uint32_t i, std::uint32_t j) {
+        cross_flat(out_.flat[0][i], out_.flat[1][j]);
+      });
     }
+  }
+
+  // The flat edges that the face speaks for.
+  void collect_flat(int s, FaceId face) {
+    const Patch& patch = w_.patch[s];
+    out_.flat[s].clear();
+    for (const SidedHalfEdge& i : out_.sided[s])
+      if (const EdgeId e = Brep::edge_of(i.h); patch.is_flat(e) && patch.owner(e) == face)
+        out_.flat[s].push_back(i.h);
+  }
+
+  BoxTree box_tree(int s) const {
+    const Brep& brep = w_.patch[s].brep;
+    std::vector<Box> boxes;
+    boxes.reserve(out_.flat[s].size());
+    for (const HalfEdgeId h : out_.flat[s]) {
+      Bounds bounds;
+      for (const VertexId v : {brep.from(h), brep.to(h)})
+        bounds.add(w_.geometry.position(brep.point_of(v)));
+      boxes.push_back(bounds.box());
+    }
+    return BoxTree(boxes);
+  }
+
+  void cross_flat(HalfEdgeId h, HalfEdgeId i) {
+    if (ends_apart(0, h, w_.patch[1].side(i)) && ends_apart(1, i, w_.patch[0].side(h)))
+      out_.flat_crossings.push_back({Brep::edge_of(h), Brep::edge_of(i)});
   }
 
   bool ends_apart(int s, HalfEdgeId h, PlaneId plane) const {
@@ -219,37 +253,48 @@ void number_contacts(Workspace& w, ContactTable& table) {
     c.on[1] = f;
     w.contacts.push_back(c);
   }
-  std::sort(w.contacts.begin(), w.contacts.end(),
-            [&](const Contact& p, const Contact& q) { return by_entities(p) < by_entities(q); });
+  large_sort(w.contacts,
+             [&](const Contact& p, const Contact& q) { return by_entities(p) < by_entities(q); });
   w.contacts.erase(std::unique(w.contacts.begin(), w.contacts.end(),
                                [&](const Contact& p, const Contact& q) {
                                  return by_entities(p) == by_entities(q);
                                }),
                    w.contacts.end());
   for (int s = 0; s < 2; ++s) {
-    std::sort(table.hits[s].begin(), table.hits[s].end(), [](const Hit& p, const Hit& q) {
+    std::vector<Hit>& hits = table.hits[s];
+    large_sort(hits, [](const Hit& p, const Hit& q) {
       return p.key() != q.key() ? p.key() < q.key() : p.found.code() < q.found.code();
     });
-    for (Hit& hit : table.hits[s]) {
-      const std::uint64_t key = by_entities(contact_of(s, hit));
+    collect<int>(w, hits.size(), 1024, [&](std::size_t i, int&) {
+      const std::uint64_t key = by_entities(contact_of(s, hits[i]));
       const auto at = std::lower_bound(
           w.contacts.begin(), w.contacts.end(), key,
           [&](const Contact& c, std::uint64_t wanted) { return by_entities(c) < wanted; });
-      hit.contact = static_cast<std::uint32_t>(at - w.contacts.begin());
-    }
+      hits[i].contact = static_cast<std::uint32_t>(at - w.contacts.begin());
+    });
+    table.hits_of[s] = HitsOfPiercers(hits, w.patch[s].brep);
   }
 }
 
 }  // namespace
 
+HitsOfPiercers::HitsOfPiercers(std::span<const Hit> hits, const Brep& brep)
+    : vertices_(brep.vertex_count()), first_(brep.vertex_count() + brep.edge_count() + 1, 0) {
+  // Vertices come before edges in the order of the keys, too.
+  for (const Hit& hit : hits) {
+    const Entity p = hit.piercer;
+    ++first_[(p.is_edge() ? p.index() + vertices_ : p.index()) + 1];
+  }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+}
+
 std::span<const Hit> ContactTable::find(int solid, Entity piercer, FaceId face) const {
-  const std::uint64_t key = std::uint64_t(piercer.code()) << 32 | face.value();
-  const auto& table = hits[solid];
-  const auto at = std::lower_bound(table.begin(), table.end(), key,
-                                   [](const Hit& h, std::uint64_t k) { return h.key() < k; });
-  auto end = at;
-  while (end != table.end() && end->key() == key) ++end;
-  return {at, end};
+  const auto [first, last] = hits_of[solid][piercer];
+  const std::span<const Hit> of_piercer = std::span(hits[solid]).subspan(first, last - first);
+  const auto [from, to] =
+      std::equal_range(of_piercer.begin(), of_piercer.end(), Hit{piercer, face, {}, 0},
+                       [](const Hit& p, const Hit& q) { return p.face < q.face; });
+  return {from, to};
 }
 
 ContactTable find_contacts(Workspace& w, const FacePairs& candidates) {

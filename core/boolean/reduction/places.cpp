@@ -4,6 +4,7 @@
 #include <span>
 
 #include "boolean/reduction/contact_table.h"
+#include "search/large_sort.h"
 
 namespace sectile {
 
@@ -13,7 +14,7 @@ void find_places(Workspace& w, std::size_t first_contact) {
   };
   std::vector<std::uint32_t> order(w.contacts.size() - first_contact);
   std::iota(order.begin(), order.end(), static_cast<std::uint32_t>(first_contact));
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+  large_sort(order, [&](std::uint32_t i, std::uint32_t j) {
     const Vec3 &p = position(i), &q = position(j);
     if (p.x != q.x) return p.x < q.x;
     if (p.y != q.y) return p.y < q.y;

@@ -1,12 +1,15 @@
 // The open segments between neighbouring contacts: two faces that cross, an edge in a face, an edge
 // along an edge.
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "boolean/collect.h"
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
 #include "boolean/reduction/standing.h"
+#include "geometry/axes.h"
+#include "search/large_sort.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -21,22 +24,24 @@ class EdgeNodes {
     for (std::uint32_t i = 0; i < w.contacts.size(); ++i)
       if (w.contacts[i].on[solid].is_edge()) order_.push_back(i);
     const auto edge = [&](std::uint32_t i) { return w.contacts[i].on[solid].edge(); };
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::uint32_t i, std::uint32_t j) { return edge(i) < edge(j); });
+    large_sort(order_, [&](std::uint32_t i, std::uint32_t j) {
+      return edge(i) != edge(j) ? edge(i) < edge(j) : i < j;
+    });
     for (std::size_t from = 0, to; from < order_.size(); from = to) {
       for (to = from + 1; to < order_.size() && edge(order_[to]) == edge(order_[from]);) ++to;
       if (to - from > 1) sort_along(edge(order_[from]), from, to);
     }
   }
 
-  /// Indices of the contacts on an edge; those at one place are neighbours.
-  std::span<const std::uint32_t> of(EdgeId e) const {
-    const auto first = std::partition_point(order_.begin(), order_.end(), [&](std::uint32_t i) {
-      return w_.contacts[i].on[solid_].edge() < e;
-    });
-    auto last = first;
-    while (last != order_.end() && w_.contacts[*last].on[solid_].edge() == e) ++last;
-    return {first, last};
+  /// Indices of the contacts on an edge, but for some that are not in the box; those at one place
+  /// are neighbours.
+  std::span<const std::uint32_t> near(EdgeId e, const Box& box) const {
+    const auto edge = [&](std::uint32_t i) { return w_.contacts[i].on[solid_].edge(); };
+    const auto first = std::partition_point(order_.begin(), order_.end(),
+                                            [&](std::uint32_t i) { return edge(i) < e; });
+    const auto last =
+        std::partition_point(first, order_.end(), [&](std::uint32_t i) { return edge(i) == e; });
+    return last - first < 2 ? std::span(first, last) : within(std::span(first, last), box);
   }
 
  private:
@@ -54,6 +59,31 @@ class EdgeNodes {
                 if (p == q) return i < j;
                 return w_.tests().compare(w_.point(p), w_.point(q), axis) == along;
               });
+  }
+
+  // Rounding is monotonic: the rounded positions, too, are in order on each axis.
+  std::span<const std::uint32_t> within(std::span<const std::uint32_t> nodes,
+                                        const Box& box) const {
+    const auto position = [&](std::uint32_t i) -> const Vec3& {
+      return w_.geometry.position(w_.point(w_.contacts[i].place));
+    };
+    const Vec3 &from = position(nodes.front()), &to = position(nodes.back());
+    int axis = 0;
+    for (const int k : {1, 2})
+      if (std::abs(component(to, k) - component(from, k)) >
+          std::abs(component(to, axis) - component(from, axis)))
+        axis = k;
+    const bool ascending = component(from, axis) <= component(to, axis);
+    const auto precedes = [&](std::uint32_t i) {
+      const double at = component(position(i), axis);
+      return ascending ? at < box.low[axis] : at > box.high[axis];
+    };
+    const auto follows_not = [&](std::uint32_t i) {
+      const double at = component(position(i), axis);
+      return ascending ? at <= box.high[axis] : at >= box.low[axis];
+    };
+    const auto first = std::partition_point(nodes.begin(), nodes.end(), precedes);
+    return {first, std::partition_point(first, nodes.end(), follows_not)};
   }
 
   const Workspace& w_;
@@ -275,8 +305,10 @@ class EdgeInPlane {
   void find_nodes(const InPlane& pair, HalfEdgeId h) {
     places_.clear();
     const Brep& brep = w_.patch[s_].brep;
+    const Patch& other = w_.patch[1 - s_];
+    const Box near = other.unbounded ? Box::everything() : other.face_boxes[pair.face.value()];
     add_end(pair, brep.from(h));
-    for (const std::uint32_t i : nodes_.of(pair.edge)) {
+    for (const std::uint32_t i : nodes_.near(pair.edge, near)) {
       const Contact& c = w_.contacts[i];
       if (places_.empty() || places_.back().place != c.place)
         places_.push_back({c.place, pair.edge, false, {}});

@@ -12,36 +12,72 @@
 namespace sectile {
 namespace {
 
-class TouchedFaces {
+// The segments of edges of solid s in faces of the other one, by these faces.
+class EdgesInFaces {
  public:
-  TouchedFaces(const Workspace& w, int s) : w_(w), kernel_(w.tests()), s_(s) {
+  EdgesInFaces(const Workspace& w, int s) : w_(w), s_(s) {
     for (std::uint32_t i = 0; i < w.records.size(); ++i)
       if (w.records[i].on[s].is_edge() && w.records[i].on[1 - s].is_face()) order_.push_back(i);
     std::stable_sort(order_.begin(), order_.end(),
                      [&](std::uint32_t i, std::uint32_t j) { return face(i) < face(j); });
+    for (std::uint32_t from = 0, to; from < order_.size(); from = to) {
+      std::vector<Box> boxes;
+      for (to = from; to < order_.size() && face(order_[to]) == face(order_[from]); ++to)
+        boxes.push_back(box(order_[to]));
+      groups_.push_back({face(order_[from]), from, BoxTree(boxes)});
+    }
   }
 
+  /// Replaces `found` by the records in a face that come near a box, ascending.
+  void find(FaceId in, const Box& near, std::vector<std::uint32_t>& found) const {
+    found.clear();
+    const auto group = std::partition_point(groups_.begin(), groups_.end(),
+                                            [&](const Group& g) { return g.face < in; });
+    if (group == groups_.end() || group->face != in) return;
+    group->tree.query([&](const Box& b) { return b.overlaps(near); },
+                      [&](std::uint32_t i) { found.push_back(order_[group->first + i]); });
+    std::sort(found.begin(), found.end());
+  }
+
+ private:
+  struct Group {
+    FaceId face;
+    std::uint32_t first;
+    BoxTree tree;
+  };
+
+  FaceId face(std::uint32_t record) const { return w_.records[record].on[1 - s_].face(); }
+  Box box(std::uint32_t record) const {
+    Bounds bounds;
+    for (const PlaceId place : w_.records[record].place)
+      bounds.add(w_.geometry.position(w_.point(place)));
+    return bounds.box();
+  }
+
+  const Workspace& w_;
+  int s_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Group> groups_;
+};
+
+class TouchedFaces {
+ public:
+  TouchedFaces(const Workspace& w, int s) : w_(w), kernel_(w.tests()), s_(s), edges_(w, s) {}
+
   void operator()(const PairOfFaces& pair, std::vector<SegmentRecord>& out) const {
+    if (patch().unbounded) return;
     const FaceId mine = pair.face[s_], other = pair.face[1 - s_];
-    auto i = std::partition_point(order_.begin(), order_.end(),
-                                  [&](std::uint32_t r) { return face(r) < other; });
-    for (; i != order_.end() && face(*i) == other; ++i)
-      if (!borders(w_.records[*i].on[s_].edge(), mine) && is_near(w_.records[*i], mine))
-        add(w_.records[*i], mine, out);
+    std::vector<std::uint32_t> near;
+    edges_.find(other, patch().face_boxes[mine.value()], near);
+    for (const std::uint32_t r : near)
+      if (!borders(w_.records[r].on[s_].edge(), mine)) add(w_.records[r], mine, out);
   }
 
  private:
   const Patch& patch() const { return w_.patch[s_]; }
-  FaceId face(std::uint32_t record) const { return w_.records[record].on[1 - s_].face(); }
   bool borders(EdgeId e, FaceId f) const {
     const Brep& brep = patch().brep;
     return brep.face_of(Brep::half_edge(e, 0)) == f || brep.face_of(Brep::half_edge(e, 1)) == f;
-  }
-  bool is_near(const SegmentRecord& record, FaceId f) const {
-    if (patch().unbounded) return false;
-    Bounds bounds;
-    for (const PlaceId place : record.place) bounds.add(w_.geometry.position(w_.point(place)));
-    return patch().face_boxes[f.value()].overlaps(bounds.box());
   }
 
   void add(const SegmentRecord& known, FaceId f, std::vector<SegmentRecord>& out) const {
@@ -84,7 +120,7 @@ class TouchedFaces {
   const Workspace& w_;
   const Kernel& kernel_;
   int s_;
-  std::vector<std::uint32_t> order_;  // records of edges in faces, by face
+  EdgesInFaces edges_;
 };
 
 }  // namespace
@@ -94,6 +130,7 @@ void add_touched_faces(Workspace& w, const ContactTable& table) {
   std::vector<PairOfFaces> flush;
   for (const PairOfFaces& pair : table.pairs)
     if (pair.coplanar) flush.push_back(pair);
+  if (flush.empty()) return;
   Records found;
   for (int s = 0; s < 2; ++s) {
     const TouchedFaces touched(w, s);
