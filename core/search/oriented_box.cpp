@@ -1,7 +1,5 @@
 #include "search/oriented_box.h"
 
-#include <utility>
-
 #include "numbers/rounding.h"
 #include "search/approximate.h"
 
@@ -11,12 +9,17 @@ namespace {
 using namespace approximate;
 using rounding::unit;
 
+// How far axes may be from unit vectors at right angles.
+constexpr double most_skew = 16 * unit;
+
 // For all errors of rounding in what is left of a point, and in what apart() computes with the box:
-// less than 256 times half an ulp of the greatest coordinate each, as extents are at most four
-// times that. Underflow takes less than the least slack. With numbers near the end of doubles
+// that takes axes for exact ones, and extents are at most four times the greatest coordinate, so
+// that it is off by less than 256 times the greatest skew, and by less than that times that
+// coordinate. Underflow takes less than the least slack. With numbers near the end of doubles
 // nothing is certain.
 double slack_for(double reach) {
-  return reach < 0x1p500 ? 1024 * unit * reach + 0x1p-900 : std::numeric_limits<double>::infinity();
+  return reach < 0x1p500 ? 256 * most_skew * reach + 0x1p-900
+                         : std::numeric_limits<double>::infinity();
 }
 
 template <class Measure>
@@ -54,10 +57,22 @@ void choose_axes(OrientedBox& box, std::span<const Vec3> points) {
   // What rounding has made of a product of almost parallel vectors is at right angles to neither.
   const Vec3 off = cross(along, aside - from);
   const bool parallel = dot(off, off) < 0x1p-40 * dot(aside - from, aside - from);
-  const Vec3 normal = parallel ? across(along) : normalized(off, across(along));
+  const Vec3 about = parallel ? across(along) : normalized(off, across(along));
+  const Vec3 normal = normalized(about - dot(about, along) * along, across(along));
   box.axis[0] = along;
   box.axis[1] = normalized(cross(normal, along), across(along));
   box.axis[2] = normal;
+}
+
+}  // namespace
+
+namespace {
+
+bool is_skew(const Vec3 (&axis)[3]) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j <= i; ++j)
+      if (!(std::abs(dot(axis[i], axis[j]) - (i == j ? 1 : 0)) <= most_skew / 2)) return true;
+  return false;
 }
 
 }  // namespace
@@ -85,53 +100,55 @@ OrientedBox::OrientedBox(std::span<const Vec3> points) {
     left = std::max(left, max_norm(rest));
     reach = std::max(reach, max_norm(p));
   }
-  slack = left + slack_for(reach);
+  slack = is_skew(axis) ? std::numeric_limits<double>::infinity() : left + slack_for(reach);
 }
 
 OrientedBox::OrientedBox(const Box& box) {
   const Vec3 low{box.low[0], box.low[1], box.low[2]}, high{box.high[0], box.high[1], box.high[2]};
   centre = 0.5 * (low + high);
   const Vec3 half = 0.5 * (high - low);
-  const double size[3] = {half.x, half.y, half.z};
-  constexpr Vec3 unit_vector[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  int order[3] = {0, 1, 2};
-  std::sort(order, order + 3, [&](int i, int j) { return size[i] > size[j]; });
-  for (int i = 0; i < 3; ++i) {
-    axis[i] = unit_vector[order[i]];
-    extent[i] = size[order[i]];
-  }
+  axis[0] = {1, 0, 0};
+  axis[1] = {0, 1, 0};
+  axis[2] = {0, 0, 1};
+  extent[0] = half.x;
+  extent[1] = half.y;
+  extent[2] = half.z;
   slack = slack_for(max_norm(centre) + max_norm(half));
 }
 
-namespace {
-
-struct PairOfBoxes {
-  const OrientedBox &a, &b;
-  Vec3 between;
-
-  static double radius(const OrientedBox& box, const Vec3& direction, double size) {
-    return box.slack * size + box.extent[0] * std::abs(dot(box.axis[0], direction)) +
-           box.extent[1] * std::abs(dot(box.axis[1], direction)) +
-           box.extent[2] * std::abs(dot(box.axis[2], direction));
-  }
-  // The direction is about a unit vector, or the product of two.
-  bool separated_along(const Vec3& direction) const {
-    const double size = sum_norm(direction);
-    // Of parallel axes, nothing but rounding is left.
-    return size > 0x1p-30 && std::abs(dot(between, direction)) >
-                                 radius(a, direction, size) + radius(b, direction, size);
-  }
-};
-
-}  // namespace
-
+// Fifteen axes: those of both boxes and their products, with `between` as seen along the axes of a,
+// and cosines of all pairs of axes. A slack is one for each coordinate; for a unit vector that
+// makes less than twice as much.
 bool apart(const OrientedBox& a, const OrientedBox& b) {
-  const PairOfBoxes pair{a, b, b.centre - a.centre};
-  for (const int i : {2, 1, 0})
-    if (pair.separated_along(a.axis[i]) || pair.separated_along(b.axis[i])) return true;
-  for (const Vec3& u : a.axis)
-    for (const Vec3& v : b.axis)
-      if (pair.separated_along(cross(u, v))) return true;
+  const Vec3 between = b.centre - a.centre;
+  const double slack = 2 * (a.slack + b.slack);
+  double t[3], cosine[3][3], size[3][3];
+  for (int i = 0; i < 3; ++i) {
+    t[i] = dot(between, a.axis[i]);
+    for (int j = 0; j < 3; ++j) {
+      cosine[i][j] = dot(a.axis[i], b.axis[j]);
+      size[i][j] = std::abs(cosine[i][j]);
+    }
+    if (std::abs(t[i]) > a.extent[i] + b.extent[0] * size[i][0] + b.extent[1] * size[i][1] +
+                             b.extent[2] * size[i][2] + slack)
+      return true;
+  }
+  for (int j = 0; j < 3; ++j)
+    if (std::abs(dot(between, b.axis[j])) > b.extent[j] + a.extent[0] * size[0][j] +
+                                                a.extent[1] * size[1][j] +
+                                                a.extent[2] * size[2][j] + slack)
+      return true;
+  constexpr int after[3] = {1, 2, 0}, before[3] = {2, 0, 1};
+  for (int i = 0; i < 3; ++i) {
+    const int k = after[i], l = before[i];
+    for (int j = 0; j < 3; ++j) {
+      const int m = after[j], n = before[j];
+      if (std::abs(t[l] * cosine[k][j] - t[k] * cosine[l][j]) >
+          a.extent[k] * size[l][j] + a.extent[l] * size[k][j] + b.extent[m] * size[i][n] +
+              b.extent[n] * size[i][m] + slack)
+        return true;
+    }
+  }
   return false;
 }
 

@@ -8,16 +8,17 @@
 namespace sectile {
 
 /// The points centre + Σ aᵢ·extentᵢ·axisᵢ + s with aᵢ in [-1, 1] and components of s up to `slack`.
-/// Whatever the axes are and however they were rounded, that holds the points the box was made of:
-/// what they leave of a point, and all errors of tests, are in the slack.
+/// However the axes were rounded, that holds the points the box was made of: what they leave of a
+/// point, and all errors of tests, are in the slack.
 struct OrientedBox {
   Vec3 centre;
-  Vec3 axis[3];  ///< about unit vectors at right angles, the one of the largest extent first
+  Vec3 axis[3];  ///< about unit vectors at right angles
   double extent[3] = {0, 0, 0};
   double slack = 0;
 
   OrientedBox() = default;
-  /// Around points, at least one, that are known up to half an ulp in each coordinate.
+  /// Around points, at least one, that are known up to half an ulp in each coordinate. The first
+  /// axis lies along them, the last one across a polygon.
   explicit OrientedBox(std::span<const Vec3> points);
   /// Around an axis-parallel box that is not empty.
   explicit OrientedBox(const Box& box);
