@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "sectile/boolean.h"
+#include "sectile/errors.h"
 #include "sequences.h"
 
 namespace sectile::bench {
@@ -50,7 +51,13 @@ Milliseconds measured(const std::function<void(const Boolean&)>& work, bool proc
 }
 
 void print(const Sequence& sequence, const ProfileOptions& options) {
-  const auto work = sequence.prepare();
+  std::function<void(const Boolean&)> work;
+  try {
+    work = sequence.prepare();
+  } catch (const InvalidSolid& error) {
+    std::printf("%-44s is left out: %s\n", sequence.name.c_str(), error.what());
+    return;
+  }
   Milliseconds best = measured(work, options.processor_time);
   for (int i = 1; i < options.repetitions; ++i)
     if (const Milliseconds again = measured(work, options.processor_time);

@@ -1,9 +1,7 @@
 // Pairs of real meshes, in places that do not change.
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 
-#include "sectile/errors.h"
 #include "sectile/files.h"
 #include "sectile/transform.h"
 #include "sequences.h"
@@ -37,10 +35,6 @@ PolygonMesh placed(const PolygonMesh& mesh, int which) {
       mesh, Transform::translation({0.11 * which, 0.07 * which, 0.05 * which}) * turned * centred);
 }
 
-struct Meshes {
-  std::string first, second;
-};
-
 constexpr const char* pairs[][2] = {
     {"fandisk", "pinion"},      {"fandisk_large", "anchor"}, {"couplingdown", "rotor"},
     {"knot1", "knot2"},         {"elephant", "cow"},         {"mannequin-devil", "spool"},
@@ -52,25 +46,21 @@ constexpr const char* pairs[][2] = {
 
 std::vector<Sequence> real_pairs(const std::string& folder) {
   std::vector<Sequence> all;
-  for (const auto& [first, second] : pairs) {
-    const auto path = [&](const char* name) {
+  for (const auto& [first_name, second_name] : pairs) {
+    const char *first = first_name, *second = second_name;
+    const auto path = [folder](const char* name) {
       return std::filesystem::path(folder) / (std::string(name) + ".off");
     };
     if (!exists(path(first)) || !exists(path(second))) continue;
-    Solid solids[2];
-    try {
-      solids[0] = Solid::from_mesh(placed(read_mesh(path(first)), 0));
-      solids[1] = Solid::from_mesh(placed(read_mesh(path(second)), 1));
-    } catch (const InvalidSolid&) {
-      continue;
-    }
-    all.push_back({std::string(first) + " and " + second,
-                   [a = solids[0], b = solids[1]]() -> std::function<void(const Boolean&)> {
-                     return [=](const Boolean& boolean) {
-                       boolean(a, b, Operation::unite);
-                       boolean(a, b, Operation::subtract);
-                     };
-                   }});
+    all.push_back(
+        {std::string(first) + " and " + second, [=]() -> std::function<void(const Boolean&)> {
+           const Solid a = Solid::from_mesh(placed(read_mesh(path(first)), 0)),
+                       b = Solid::from_mesh(placed(read_mesh(path(second)), 1));
+           return [=](const Boolean& boolean) {
+             boolean(a, b, Operation::unite);
+             boolean(a, b, Operation::subtract);
+           };
+         }});
   }
   return all;
 }

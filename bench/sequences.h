@@ -22,7 +22,7 @@ struct Sequence {
 /// Those of the benchmarks, each operation on the same operands again and again, and longer work.
 std::vector<Sequence> sequences();
 /// Pairs of meshes from a folder (see cmake/real_meshes.sh) in arbitrary places; those that are
-/// missing or no solids are left out.
+/// missing are left out. To prepare them throws InvalidSolid for those that are no solids.
 std::vector<Sequence> real_pairs(const std::string& folder);
 
 }  // namespace sectile::bench
