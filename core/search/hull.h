@@ -20,7 +20,7 @@ class Hull {
 
  private:
   struct Range {
-    double low, high;
+    double low = 0, high = 0;
   };
   Range along(const Vec3& direction) const;
   bool separated_along(const Vec3& direction, const Range& mine, const Hull& other) const;

@@ -7,4 +7,4 @@ sectile_test(crossing_edges_test SOURCES crossing_edges_test.cpp)
 sectile_test(boolean_phases_test SOURCES boolean/reduction_test.cpp boolean/neighborhoods_test.cpp
              boolean/null_edges_test.cpp boolean/joining_test.cpp boolean/components_test.cpp
              boolean/gluing_test.cpp boolean/patch_euler_test.cpp)
-sectile_test(same_bits_test SOURCES same_bits_test.cpp)
+sectile_test(same_bits_test LABEL slow SOURCES same_bits_test.cpp)
