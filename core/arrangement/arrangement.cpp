@@ -18,7 +18,7 @@ class ManySolids {
  public:
   ManySolids(std::span<const Solid> solids, const ArrangementOptions& options)
       : steering_{options.cancel, options.progress},
-        facets_(facets_of(solids, geometry_)),
+        facets_(facets_of(solids, geometry_, steering_)),
         kernel_(geometry_),
         tree_(tree_of(facets_, geometry_)) {
     steering_.step(0.1);
@@ -35,7 +35,8 @@ class ManySolids {
   Solid solid(const Covers& covers) const {
     std::vector<std::uint8_t> in(cells_.winding.size());
     for (std::size_t c = 0; c < in.size(); ++c) in[c] = covers(cells_.winding[c]);
-    Solid result(solid_of(faces_, cells_, facets_, geometry_, kernel_, in, Merging::all));
+    Solid result(
+        solid_of(faces_, cells_, facets_, geometry_, kernel_, in, Merging::all, steering_));
     steering_.step(1.0);
     return result;
   }
@@ -57,8 +58,8 @@ class ManySolids {
       steering_.check();
       std::vector<std::uint8_t> in(cells_.winding.size(), 0);
       for (const std::uint32_t c : *numbers[i]) in[c] = 1;
-      result[i].solid =
-          Solid(solid_of(faces_, cells_, facets_, geometry_, kernel_, in, Merging::shared));
+      result[i].solid = Solid(solid_of(faces_, cells_, facets_, geometry_, kernel_, in,
+                                       Merging::shared, {steering_.cancel, {}}));
     });
     steering_.step(1.0);
     return result;

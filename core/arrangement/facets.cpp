@@ -5,6 +5,7 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "storage/geometry_loader.h"
 
@@ -36,8 +37,12 @@ void unite_places(const Kernel& kernel, std::vector<PointId> points, std::vector
     if (a.z != b.z) return a.z < b.z;
     return p < q;
   };
+  // Most are given several times.
+  std::vector<std::uint8_t> seen(g.positions.size(), 0);
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](PointId p) { return std::exchange(seen[p.value()], 1) != 0; }),
+               points.end());
   tbb::parallel_sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
   // Only points whose rounded positions are equal may be at one place.
   std::vector<std::span<const PointId>> groups;
   for (std::size_t from = 0, to; from < points.size(); from = to) {
@@ -65,12 +70,14 @@ namespace {
 
 class Loader {
  public:
-  Loader(Facets& facets, Geometry& geometry) : facets_(facets), geometry_(geometry) {}
+  Loader(Facets& facets, Geometry& geometry, const Steering& steering)
+      : facets_(facets), geometry_(geometry), steering_(steering) {}
 
   void add(const SolidData& solid, std::uint32_t operand) {
     GeometryLoader copy(solid.geometry(), geometry_, solid.geometry().positions.size());
     const Brep& brep = solid.brep();
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
+      if (f % 4096 == 0) steering_.check();
       for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l.value()]) {
         for_each_in_loop(brep, l, [&](HalfEdgeId h) {
           facets_.polygons.corners.push_back(copy.point(brep.point_of(brep.from(h))));
@@ -91,16 +98,18 @@ class Loader {
  private:
   Facets& facets_;
   Geometry& geometry_;
+  const Steering& steering_;
 };
 
 }  // namespace
 
-Facets facets_of(std::span<const Solid> solids, Geometry& geometry) {
+Facets facets_of(std::span<const Solid> solids, Geometry& geometry, const Steering& steering) {
   Facets facets;
-  Loader loader(facets, geometry);
+  Loader loader(facets, geometry, steering);
   for (std::size_t i = 0; i < solids.size(); ++i)
     if (!solids[i].is_empty()) loader.add(*solids[i].data(), static_cast<std::uint32_t>(i));
   const Kernel kernel(geometry);
+  steering.step(0.05);
   std::vector<PointId> first;
   unite_places(kernel, facets.polygons.corners, first);
   for (PointId& p : facets.polygons.corners) p = first[p.value()];

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "arrangement/steering.h"
 #include "import/polygons.h"
 #include "storage/solid_data.h"
 
@@ -43,6 +44,6 @@ void unite_places(const Kernel& kernel, std::vector<PointId> points, std::vector
 
 /// The boundaries of several solids, which become the operands 0, 1 …; their points and planes are
 /// added to the geometry.
-Facets facets_of(std::span<const Solid> solids, Geometry& geometry);
+Facets facets_of(std::span<const Solid> solids, Geometry& geometry, const Steering& steering);
 
 }  // namespace sectile::arrangement

@@ -14,30 +14,39 @@ namespace {
 class Builder {
  public:
   Builder(const SubFaces& faces, const Cells& cells, const Facets& facets, const Geometry& geometry,
-          const Kernel& kernel, const std::vector<std::uint8_t>& in_solid, Merging merging)
+          const Kernel& kernel, const std::vector<std::uint8_t>& in_solid, Merging merging,
+          const Steering& steering)
       : faces_(faces),
         cells_(cells),
         facets_(facets),
         kernel_(kernel),
         in_solid_(in_solid),
         merging_(merging),
+        steering_(steering),
         data_(std::make_shared<SolidData>()),
         copy_(geometry, data_->geometry(), geometry.positions.size()),
         made_(faces.polygons.corners.size(), none) {}
 
   std::shared_ptr<SolidData> run() {
+    steering_.step(0.8);
     add_faces();
+    steering_.step(0.84);
     if (result_.face_count() == 0) return std::make_shared<SolidData>();
     pair_half_edges();
+    steering_.step(0.86);
     Brep& brep = data_->brep();
     build_brep(result_, mate_, brep);
+    steering_.step(0.9);
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
       brep.plane[f] = plane_[f];
       brep.source[f] = source_[f];
     }
     find_seams();
+    steering_.step(0.92);
     clean_up(brep, data_->geometry(), seams_);
+    steering_.step(0.95);
     data_->cut();
+    steering_.step(1.0);
     return std::move(data_);
   }
 
@@ -49,6 +58,7 @@ class Builder {
 
   void add_faces() {
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+      if (f % 4096 == 0) steering_.check();
       if (!is_kept(f)) continue;
       const bool turned = is_turned(f);
       const Polygons& from = faces_.polygons;
@@ -175,6 +185,7 @@ class Builder {
   const Kernel& kernel_;
   const std::vector<std::uint8_t>& in_solid_;
   Merging merging_;
+  const Steering& steering_;
   std::shared_ptr<SolidData> data_;
   std::vector<EdgeId> seams_;
   GeometryLoader copy_;
@@ -191,8 +202,9 @@ class Builder {
 
 std::shared_ptr<SolidData> solid_of(const SubFaces& faces, const Cells& cells, const Facets& facets,
                                     const Geometry& geometry, const Kernel& kernel,
-                                    const std::vector<std::uint8_t>& in_solid, Merging merging) {
-  return Builder(faces, cells, facets, geometry, kernel, in_solid, merging).run();
+                                    const std::vector<std::uint8_t>& in_solid, Merging merging,
+                                    const Steering& steering) {
+  return Builder(faces, cells, facets, geometry, kernel, in_solid, merging, steering).run();
 }
 
 }  // namespace sectile::arrangement

@@ -32,7 +32,9 @@ class Repairer {
     const std::size_t faces = mesh_.face_sizes.size();
     read(mesh_);
     if (options_.stitch > 0) stitch_borders();
+    steering_.step(0.06);
     close();
+    steering_.step(0.1);
     find_planes();
     if (polygons_.face_count() == 0) {
       note(Kind::removed_faces, faces, Vec3(), no_element);
@@ -245,9 +247,8 @@ class Repairer {
     }
     note_arrangement(all, faces, cells, material);
     auto data = arrangement::solid_of(faces, cells, all, geometry_, *kernel_, material,
-                                      arrangement::Merging::all);
+                                      arrangement::Merging::all, steering_);
     if (!data->empty()) data->origin = origin_;
-    steering_.step(1.0);
     return Solid(std::move(data));
   }
 

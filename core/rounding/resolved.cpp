@@ -75,7 +75,7 @@ std::shared_ptr<const SolidData> resolved(const TriangleSoup& soup,
   for (std::size_t c = 0; c < material.size(); ++c)
     material[c] = !cells.winding[c].empty() && cells.winding[c][0].second >= 1;
   return arrangement::solid_of(faces, cells, facets, geometry, kernel, material,
-                               arrangement::Merging::all);
+                               arrangement::Merging::all, steering);
 }
 
 }  // namespace sectile

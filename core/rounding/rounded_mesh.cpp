@@ -20,10 +20,11 @@ void bound_displacement(const RoundingReport& report, const Rounding& options) {
 // are at one place: so it ends.
 RoundedMesh round_until_legal(std::shared_ptr<const SolidData> data, const Rounding& options) {
   const RoundingGrid grid(options);
+  RoundingSteps steps(options);
   RoundedMesh result;
   Displacement moved;
   for (double coarseness = 4;; coarseness *= 4) {
-    RoundingAttempt attempt(*data, grid, options, moved);
+    RoundingAttempt attempt(*data, grid, options, moved, steps);
     if (result.report.corners == 0) result.report.corners = attempt.corners();
     if (attempt.run()) {
       attempt.take(result);
@@ -39,6 +40,7 @@ RoundedMesh round_until_legal(std::shared_ptr<const SolidData> data, const Round
     bound_displacement(result.report, options);
   }
   bound_displacement(result.report, options);
+  steps.finish();
   return result;
 }
 

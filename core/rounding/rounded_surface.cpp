@@ -20,19 +20,29 @@ void require_finite(const Vec3& rounded, const Vec3& exact) {
 
 }  // namespace
 
-RoundedSurface::RoundedSurface(const SolidData& data, const RoundingGrid& grid) {
+RoundedSurface::RoundedSurface(const SolidData& data, const RoundingGrid& grid,
+                               const SelfTestControl& control) {
+  const auto step = [&](double done) {
+    if (control.cancel && control.cancel->load(std::memory_order_relaxed)) throw Cancelled();
+    if (control.progress) control.progress(done);
+  };
+  step(0);
   const Brep& brep = data.brep();
+  step(0.05);
   const Kernel kernel(data.geometry());
   std::vector<FaceId> crossing;
   surface = surface_of(brep, kernel, crossing);
   if (!crossing.empty()) throw InternalError("the edges of a solid's face cross each other");
+  step(0.5);
   make_conforming(surface, kernel);
+  step(0.55);
   std::vector<std::uint32_t> number(data.geometry().positions.size(), none);
   std::vector<std::uint8_t> has_moved;
   corners.resize(surface.size());
   source.resize(surface.size());
   alive.assign(surface.size(), 1);
-  for (std::size_t t = 0; t < surface.size(); ++t)
+  for (std::size_t t = 0; t < surface.size(); ++t) {
+    if (t % 0x10000 == 0) step(0.55 + 0.35 * double(t) / double(surface.size()));
     for (std::size_t k = 0; k < 3; ++k) {
       const PointId p = surface.corners[t][k];
       std::uint32_t& v = number[p.value()];
@@ -50,6 +60,8 @@ RoundedSurface::RoundedSurface(const SolidData& data, const RoundingGrid& grid) 
       corners[t][k] = v;
       surface.corners[t][k] = point[v];
     }
+  }
+  step(0.9);
   geometry.planes.resize(surface.size());
   surface.settled.resize(surface.size());
   tbb::parallel_for(
@@ -65,6 +77,7 @@ RoundedSurface::RoundedSurface(const SolidData& data, const RoundingGrid& grid) 
         }
       });
   surface.doubtful.clear();
+  step(1);
 }
 
 }  // namespace sectile

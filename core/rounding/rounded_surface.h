@@ -18,7 +18,8 @@ namespace sectile {
 struct RoundedSurface {
   using Corners = std::array<std::uint32_t, 3>;
 
-  RoundedSurface(const SolidData& data, const RoundingGrid& grid);
+  /// May throw Cancelled.
+  RoundedSurface(const SolidData& data, const RoundingGrid& grid, const SelfTestControl& control);
 
   std::vector<Vec3> origin;            ///< per vertex: the place, rounded to doubles
   std::vector<std::uint8_t> is_exact;  ///< per vertex: `origin` is the place

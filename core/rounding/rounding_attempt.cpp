@@ -34,11 +34,13 @@ struct Surroundings {
 }  // namespace
 
 RoundingAttempt::RoundingAttempt(const SolidData& data, const RoundingGrid& grid,
-                                 const Rounding& options, const Displacement& before)
+                                 const Rounding& options, const Displacement& before,
+                                 RoundingSteps& steps)
     : options_(options),
       grid_(grid),
       before_(before),
-      rounded_(data, grid),
+      steps_(steps),
+      rounded_(data, grid, steps.part(0.4)),
       kernel_(rounded_.geometry) {}
 
 RoundingRepair& RoundingAttempt::repair() {
@@ -49,8 +51,8 @@ RoundingRepair& RoundingAttempt::repair() {
 bool RoundingAttempt::run() {
   if (rounded_.anything_moved()) {
     // Each change leaves fewer vertices, or as many and less that is wrong.
-    for (auto faulty = faulty_triangles(rounded_, kernel_, control()); !faulty.empty();
-         faulty = faulty_triangles(rounded_, kernel_, control())) {
+    for (auto faulty = faulty_triangles(rounded_, kernel_, steps_.part(0.5)); !faulty.empty();
+         faulty = faulty_triangles(rounded_, kernel_, steps_.part(0.5))) {
       stuck_ = repair().run(std::move(faulty));
       if (!stuck_.empty()) return false;
     }
@@ -68,6 +70,7 @@ bool RoundingAttempt::run() {
 void RoundingAttempt::make_mesh() {
   std::vector<std::uint32_t> number(rounded_.point.size(), none);
   for (std::uint32_t t = 0; t < rounded_.corners.size(); ++t) {
+    if (t % 0x10000 == 0) steps_.check();
     if (rounded_.alive[t] == 0) continue;
     for (const std::uint32_t v : rounded_.corners[t]) {
       if (number[v] == none) {

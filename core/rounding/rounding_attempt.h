@@ -8,6 +8,7 @@
 #include "rounding/displacement.h"
 #include "rounding/rounded_surface.h"
 #include "rounding/rounding_repair.h"
+#include "rounding/rounding_steps.h"
 
 namespace sectile {
 
@@ -15,7 +16,7 @@ class RoundingAttempt {
  public:
   /// `before`: how far the solid's corners are from those of the solid that is to be written.
   RoundingAttempt(const SolidData& data, const RoundingGrid& grid, const Rounding& options,
-                  const Displacement& before);
+                  const Displacement& before, RoundingSteps& steps);
 
   /// Of the solid.
   std::size_t corners() const { return rounded_.point.size(); }
@@ -39,11 +40,11 @@ class RoundingAttempt {
   void note_report(RoundingReport& report) const;
   double move_of(std::uint32_t vertex, const Vec3& to) const;
   std::vector<std::uint8_t> vertices_near_stuck(double distance) const;
-  SelfTestControl control() const { return {options_.cancel, options_.progress}; }
 
   const Rounding& options_;
   const RoundingGrid& grid_;
   const Displacement& before_;
+  RoundingSteps& steps_;
   RoundedSurface rounded_;
   Kernel kernel_;
   std::optional<RoundingRepair> repair_;

@@ -31,12 +31,14 @@ std::size_t Separation::run(const Rounding& options) {
   give_fans_vertices();
   divide_pinched_edges();
   std::vector<std::uint32_t> waiting = middles_;
-  for (const auto& group : vertices_at_one_place()) {
-    many_[place(group[0])] = static_cast<std::uint32_t>(group.size());
+  const std::vector<std::pair<Place, std::uint32_t>> places = places_of_vertices();
+  for (std::size_t from = 0, to; from < places.size(); from = to) {
+    for (to = from + 1; to < places.size() && places[to].first == places[from].first;) ++to;
     // The last one to be looked at is alone by then.
-    waiting.insert(waiting.end(), group.rbegin(), group.rend());
+    for (std::size_t i = to; to > from + 1 && i-- > from;) waiting.push_back(places[i].second);
   }
   if (waiting.empty()) return 0;
+  for (const auto& [place, vertex] : places) ++many_[place];
   kernel_.refresh();
   rounded_.surface.ignored.resize(rounded_.surface.size(), 0);
   for (std::uint32_t t = 0; t < rounded_.alive.size(); ++t)
@@ -189,7 +191,8 @@ void Separation::divide_half(std::uint32_t t, std::size_t k, std::uint32_t middl
   }
 }
 
-std::vector<std::vector<std::uint32_t>> Separation::vertices_at_one_place() const {
+// Sorted; but for the new vertices in the middle of edges.
+std::vector<std::pair<Separation::Place, std::uint32_t>> Separation::places_of_vertices() const {
   std::vector<std::uint8_t> used(rounded_.point.size(), 0);
   for (std::uint32_t t = 0; t < rounded_.corners.size(); ++t)
     for (std::size_t k = 0; rounded_.alive[t] != 0 && k < 3; ++k) used[rounded_.corners[t][k]] = 1;
@@ -198,14 +201,7 @@ std::vector<std::vector<std::uint32_t>> Separation::vertices_at_one_place() cons
   for (std::uint32_t v = 0; v < used.size(); ++v)
     if (used[v] != 0) places.push_back({place(v), v});
   std::sort(places.begin(), places.end());
-  std::vector<std::vector<std::uint32_t>> groups;
-  for (std::size_t from = 0, to; from < places.size(); from = to) {
-    for (to = from + 1; to < places.size() && places[to].first == places[from].first;) ++to;
-    if (to == from + 1) continue;
-    groups.emplace_back();
-    for (std::size_t i = from; i < to; ++i) groups.back().push_back(places[i].second);
-  }
-  return groups;
+  return places;
 }
 
 // Towards the middle of the neighbours, which is where a wedge has most room, and to the 26 places

@@ -32,8 +32,10 @@ class Separation {
     friend auto operator<=>(const Edge&, const Edge&) = default;
   };
 
+  using Place = std::array<double, 3>;
+
   void find_fans();
-  std::vector<std::vector<std::uint32_t>> vertices_at_one_place() const;
+  std::vector<std::pair<Place, std::uint32_t>> places_of_vertices() const;
   void give_fans_vertices();
   void divide_pinched_edges();
   void divide(std::uint32_t s, std::size_t j);
@@ -42,7 +44,6 @@ class Separation {
   bool move_apart(LocalChanges& changes, std::uint32_t vertex, double reach);
   std::vector<Vec3> places_near(const LocalChanges& changes, std::uint32_t vertex,
                                 double reach) const;
-  using Place = std::array<double, 3>;
   Place place(std::uint32_t vertex) const {
     const Vec3& p = rounded_.position(vertex);
     return {p.x + 0.0, p.y + 0.0, p.z + 0.0};

@@ -173,6 +173,23 @@ TEST(SeparateTouching, HollowsThatTouch) {
   expect_manifold(boolean(body, two_cubes({1, 1, 0}), Operation::subtract), 1);
 }
 
+// A step away from where two corners touch there is another corner.
+TEST(SeparateTouching, GoesToNoPlaceThatIsTaken) {
+  const Solid solid = boolean(two_cubes({1, 1, 1}),
+                              transformed(two_cubes({1, 1, 1}), Transform::translation({1, 1, 1})),
+                              Operation::unite);
+  for (const Vec3& at : {Vec3{-1, 1, 2}, Vec3{0, 2, 1}, Vec3{2, 2, 0}, Vec3{1, 0, 2}}) {
+    const Solid more = boolean(solid, block(at, {at.x + 1, at.y + 1, at.z + 1}), Operation::unite);
+    Rounding rounding = to(Numbers::grid, 1);
+    rounding.separate_touching = true;
+    try {
+      EXPECT_EQ(manifold_fault(expect_legal(more, rounding).mesh), "");
+    } catch (const RoundingFailed& error) {
+      EXPECT_NE(std::string(error.what()).find("no room"), std::string::npos);
+    }
+  }
+}
+
 TEST(SeparateTouching, LeavesAManifoldAsItIs) {
   Rounding rounding;
   rounding.separate_touching = true;
