@@ -1,5 +1,8 @@
 sectile_test(viewer_gif_test SOURCES gif_test.cpp LIBRARIES sectile_viewer_render)
-sectile_test(render_test SOURCES render_test.cpp look_test.cpp demo_pictures.cpp leaks.cpp
+sectile_test(render_test
+             SOURCES camera_test.cpp image_test.cpp look_test.cpp offscreen_test.cpp
+                     renderer_test.cpp surface_mesh_test.cpp demo_pictures.cpp drawn_pictures.cpp
+                     leaks.cpp
              LIBRARIES sectile_viewer_render sectile::samples)
 
 # Windows need a display: one that nobody sees. Without -noreset the server restarts between two

@@ -1,0 +1,57 @@
+// Solids and parts of them as triangles to draw.
+#include "picture/surface_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "picture/polygon_ears.h"
+#include "sectile/sectile.h"
+
+namespace sectile::viewer {
+namespace {
+
+TEST(SurfaceMesh, BlockHasTwelveHardEdges) {
+  const auto mesh = surface_mesh(block({0, 0, 0}, {1, 2, 3}));
+  EXPECT_EQ(mesh->faces.size(), 12u);
+  EXPECT_EQ(mesh->hard_edges.size(), 24u);
+  EXPECT_EQ(mesh->bounds.high, glm::dvec3(1, 2, 3));
+}
+
+TEST(SurfaceMesh, NormalsPointOutwards) {
+  const auto mesh = surface_mesh(sphere(1, 16, 8));
+  for (std::size_t i = 0; i < mesh->positions.size(); ++i)
+    EXPECT_GT(glm::dot(mesh->positions[i], mesh->normals[i]), 0);
+}
+
+TEST(SurfaceMesh, PartsWithHolesAreTriangulatedWhole) {
+  const Solid plate = block({-2, -2, -1}, {2, 2, 1}), rod = cylinder(1, 4, 24);
+  const Solid moved = transformed(rod, Transform::translation({0, 0, -2}));
+  const SurfacePart part = classify(plate, moved).a_out_b;
+  const auto mesh = surface_mesh(part);
+  double area = 0;
+  for (std::size_t t = 0; t < mesh->faces.size(); ++t) {
+    const glm::vec3* p = &mesh->positions[3 * t];
+    const glm::vec3 n = glm::cross(p[1] - p[0], p[2] - p[0]);
+    EXPECT_GT(glm::dot(n, mesh->normals[3 * t]), 0);
+    area += 0.5 * static_cast<double>(glm::length(n));
+  }
+  EXPECT_NEAR(area, part.area, 1e-4);
+  // Twelve edges of the plate, two rings of 24.
+  EXPECT_EQ(mesh->hard_edges.size(), 2u * (12 + 48));
+}
+
+TEST(PolygonEars, TakesTwoHolesAndCornersInLine) {
+  const std::vector<glm::dvec2> places = {{0, 0}, {5, 0}, {10, 0}, {10, 6}, {0, 6}, {1, 1}, {1, 4},
+                                          {4, 4}, {4, 1}, {6, 2},  {6, 5},  {9, 5}, {9, 2}};
+  double area = 0;
+  for (const auto& [a, b, c] : ears(places, {{0, 1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}})) {
+    const glm::dvec2 u = places[b] - places[a], v = places[c] - places[a];
+    EXPECT_GE(u.x * v.y - u.y * v.x, 0);
+    area += 0.5 * (u.x * v.y - u.y * v.x);
+  }
+  EXPECT_DOUBLE_EQ(area, 60 - 9 - 9);
+}
+
+}  // namespace
+}  // namespace sectile::viewer
