@@ -34,7 +34,7 @@ Sample split_prongs() {
   sample.title = "A block with two prongs, split at the notch floor";
   sample.figure = "4 to 10";
   sample.a_mesh = along_y({{0, 0}, {6, 0}, {6, 4}, {4, 2}, {2, 2}, {0, 4}}, 0, 2);
-  sample.a = Solid::from_mesh(sample.a_mesh);
+  sample.a = solid_of(sample.a_mesh);
   sample.plane = HalfSpace{0, 0, 1, -2};
   return sample;
 }

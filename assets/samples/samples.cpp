@@ -1,10 +1,21 @@
 #include "samples/samples.h"
 
+#include <cstdint>
+#include <numeric>
 #include <stdexcept>
+#include <vector>
 
 #include "samples/lists.h"
 
 namespace sectile::samples {
+
+Solid solid_of(const PolygonMesh& mesh) {
+  std::vector<std::uint32_t> each(mesh.face_sizes.size());
+  std::iota(each.begin(), each.end(), 0u);
+  ImportOptions apart;
+  apart.face_groups = each;
+  return Solid::from_mesh(mesh, apart);
+}
 
 Sample pair_sample(const char* name, const char* title, const char* figure, Operation operation,
                    const PolygonMesh& a, const PolygonMesh& b) {
@@ -13,8 +24,8 @@ Sample pair_sample(const char* name, const char* title, const char* figure, Oper
           .figure = figure,
           .a_mesh = a,
           .b_mesh = b,
-          .a = Solid::from_mesh(a),
-          .b = Solid::from_mesh(b),
+          .a = solid_of(a),
+          .b = solid_of(b),
           .operation = operation,
           .plane = {}};
 }
