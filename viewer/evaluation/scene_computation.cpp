@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <new>
+#include <numeric>
 #include <stdexcept>
 
 #include "picture/surface_mesh.h"
@@ -16,6 +17,18 @@ namespace {
 
 // Solids that nothing shows any more are kept for undo and for going back in a drag.
 constexpr std::size_t unused_faces_kept = 500'000;
+
+/// A mesh that is of no file is a sample, whose figure shows each of its faces.
+Solid solid_of(const Imported& imported) {
+  std::vector<std::uint32_t> each;
+  ImportOptions options;
+  if (imported.path.empty()) {
+    each.resize(imported.mesh->face_sizes.size());
+    std::iota(each.begin(), each.end(), 0u);
+    options.face_groups = each;
+  }
+  return Solid::from_mesh(*imported.mesh, options);
+}
 
 Value value_of(Solid solid, std::size_t faces) {
   Value value;
@@ -192,7 +205,7 @@ ValuePointer SceneComputation::make_inside(const Node& node) {
   if (const auto* imported = std::get_if<Imported>(&node.what))
     return known_or_made(ValueKey('m').add(imported->mesh.get()), [&] {
       if (!imported->mesh) throw std::runtime_error("The mesh is missing.");
-      Value value = value_of(Solid::from_mesh(*imported->mesh), imported->mesh->face_sizes.size());
+      Value value = value_of(solid_of(*imported), imported->mesh->face_sizes.size());
       value.source = imported->mesh;
       return value;
     });
