@@ -18,6 +18,8 @@ Event mouse(Event::Kind kind, glm::dvec2 at, MouseButton button, bool shift, boo
 }
 
 bool overlap(const glm::vec4& a, const glm::vec4& b) {
+  // What is scrolled out of sight has no height.
+  if (a.w <= 0 || b.w <= 0) return false;
   return a.x + 0.5f < b.x + b.z && b.x + 0.5f < a.x + a.z && a.y + 0.5f < b.y + b.w &&
          b.y + 0.5f < a.y + a.w;
 }
@@ -189,12 +191,23 @@ const Story& AppDriver::open_steps(const std::string& sample) {
 std::string AppDriver::faults() const {
   std::string found;
   const auto& all = app_->widgets().all();
+  const float right = static_cast<float>(context_->width()) / context_->scale(),
+              bottom = static_cast<float>(context_->height()) / context_->scale();
   for (const auto& [name, widget] : all) {
     if (widget.clipped) found += name + " is cut off. ";
+    const glm::vec4& r = widget.seen;
+    if (!widget.surface && r.w > 0 &&
+        (r.x < -0.5f || r.y < -0.5f || r.x + r.z > right + 0.5f || r.y + r.w > bottom + 0.5f))
+      found += name + " leaves the window. ";
     for (const auto& [other, second] : all)
       if (name < other && !widget.surface && !second.surface &&
-          widget.floating == second.floating && overlap(widget.rectangle, second.rectangle))
+          widget.floating == second.floating && overlap(widget.seen, second.seen))
         found += name + " and " + other + " overlap. ";
+    // Boxes over the picture.
+    for (const char* box : {"panel.tool", "panel.view", "panel.message.0", "panel.message.1"})
+      if (const Widget* second = app_->widgets().find(box);
+          name == "legend" && second && overlap(widget.seen, second->seen))
+        found += name + " and " + box + " overlap. ";
   }
   return found;
 }

@@ -26,6 +26,7 @@ void title(PanelContext& context, const char* text) {
   ImGui::PushFont(context.fonts.bold);
   ImGui::TextUnformatted(text);
   ImGui::PopFont();
+  context.widgets.record_text(text);
 }
 
 float text_width(const std::string& text) {
@@ -62,6 +63,7 @@ void note(PanelContext& context, const std::string& text) {
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   ImGui::PopFont();
+  context.widgets.record_text(text);
 }
 
 bool button(PanelContext& context, const std::string& name, const std::string& text,

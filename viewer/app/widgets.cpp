@@ -3,6 +3,8 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
+
 namespace sectile::viewer {
 namespace {
 
@@ -13,18 +15,37 @@ bool is_floating(const ImGuiWindow& window) {
   return false;
 }
 
+/// Does a panel around it scroll?
+bool scrolls_above(const ImGuiWindow& window) {
+  for (const ImGuiWindow* w = window.ParentWindow; w; w = w->ParentWindow)
+    if (w->ScrollMax.y > 0) return true;
+  return false;
+}
+
 }  // namespace
+
+void Widgets::record(const std::string& name, Widget widget) {
+  widget.seen = widget.rectangle;
+  widgets_[name] = widget;
+}
+
+void Widgets::record_text(const std::string& text) {
+  record_item("text:" + text.substr(0, 32));
+}
 
 void Widgets::record_item(const std::string& name, bool enabled, float text_width) {
   const ImGuiWindow& window = *ImGui::GetCurrentWindowRead();
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   // Half a unit is less than what rounding to pixels moves.
-  const bool outside =
-      low.x < window.ClipRect.Min.x - 0.5f || low.y < window.ClipRect.Min.y - 0.5f ||
-      high.x > window.ClipRect.Max.x + 0.5f || high.y > window.ClipRect.Max.y + 0.5f;
+  const ImRect& room = window.ClipRect;
+  const bool outside = low.x < room.Min.x - 0.5f || high.x > room.Max.x + 0.5f;
+  const bool beyond = low.y < room.Min.y - 0.5f || high.y > room.Max.y + 0.5f;
+  const bool scrolls = window.ScrollMax.y > 0 || scrolls_above(window);
   Widget widget;
   widget.rectangle = {low.x, low.y, high.x - low.x, high.y - low.y};
-  widget.clipped = outside || text_width > high.x - low.x + 0.5f;
+  const float top = std::max(low.y, room.Min.y), bottom = std::min(high.y, room.Max.y);
+  widget.seen = {low.x, top, high.x - low.x, std::max(0.0f, bottom - top)};
+  widget.clipped = outside || (beyond && !scrolls) || text_width > high.x - low.x + 0.5f;
   widget.floating = is_floating(window);
   widget.enabled = enabled;
   widgets_[name] = widget;
@@ -41,7 +62,7 @@ void Widgets::record_window(const std::string& name) {
   widget.rectangle = {low.x, low.y, size.x, size.y};
   widget.surface = true;
   widget.floating = is_floating(*ImGui::GetCurrentWindowRead());
-  widgets_[name] = widget;
+  record(name, widget);
 }
 
 const Widget* Widgets::find(const std::string& name) const {
