@@ -2,7 +2,6 @@
 
 #include "import/measure.h"
 #include "import/shells.h"
-#include "import/soup.h"
 #include "storage/faces_as_read.h"
 #include "storage/moved_solid.h"
 #include "storage/solid_data.h"
@@ -25,10 +24,6 @@ const std::shared_ptr<const SolidData>& Solid::data() const {
 
 Solid Solid::from_mesh(const PolygonMesh& mesh) {
   return from_mesh(mesh, {});
-}
-
-Solid Solid::from_mesh(const PolygonMesh& mesh, const ImportOptions& options) {
-  return Solid(import_mesh(mesh, options));
 }
 
 bool Solid::is_empty() const {

@@ -309,6 +309,27 @@ TEST(RepairCases, OddNeedsNoOrientation) {
   }
 }
 
+TEST(RepairCases, FromMeshResolvesOnRequest) {
+  const PolygonMesh mesh = Builder().box({0, 0, 0}, {2, 2, 2}).box({1, 1, 1}, {3, 3, 3}).mesh();
+  EXPECT_THROW(Solid::from_mesh(mesh), InvalidSolid);
+  ImportOptions options;
+  RepairReport report;
+  options.report = &report;
+  for (const auto& [rule, volume] :
+       {std::pair(Rule::positive, 15), std::pair(Rule::nonzero, 15), std::pair(Rule::odd, 14)}) {
+    options.resolve = rule;
+    EXPECT_EQ(Solid::from_mesh(mesh, options).volume(), volume);
+    ASSERT_EQ(report.changes.size(), 1u);
+    EXPECT_EQ(report.changes[0].kind, RepairChange::Kind::divided_faces);
+  }
+  // Holes stay a reason to refuse.
+  PolygonMesh open = Builder().box({0, 0, 0}, {2, 2, 2}).mesh();
+  open.indices.resize(open.indices.size() - open.face_sizes.back());
+  open.face_sizes.pop_back();
+  EXPECT_THROW(Solid::from_mesh(open, options), InvalidSolid);
+  EXPECT_EQ(report.holes.size(), 1u);
+}
+
 TEST(RepairCases, CanBeCancelled) {
   const std::atomic<bool> cancel{true};
   RepairOptions options;

@@ -14,14 +14,6 @@
 
 namespace sectile {
 
-/// Which points are material, by the winding number w of the surface around them.
-enum class Rule {
-  positive,  ///< w >= 1: parts that overlap are united; parts whose outside is inside out are
-             ///< turned
-  nonzero,   ///< w != 0
-  odd        ///< w is odd; needs no orientation
-};
-
 struct RepairOptions {
   Rule rule = Rule::positive;
   /// Close holes with triangles between their corners. Otherwise a mesh with holes is refused.

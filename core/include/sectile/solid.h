@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace sectile {
 
 class SolidData;  // topology, geometry and search tree; internal
 class MovedSolid;
+struct RepairReport;
 
 /// Where a face comes from: `solid` is the number given to a mesh when it was imported (see
 /// Solid::origin), `face` the face of that mesh; where coplanar neighbours were joined to one face,
@@ -31,6 +33,14 @@ struct SolidCounts {
   std::int64_t genus = 0;
 };
 
+/// Which points are material, by the winding number w of the surface around them.
+enum class Rule {
+  positive,  ///< w >= 1: parts that overlap are united; parts whose outside is inside out are
+             ///< turned
+  nonzero,   ///< w != 0
+  odd        ///< w is odd; needs no orientation
+};
+
 /// How a mesh is imported.
 struct ImportOptions {
   /// The caller promises that no faces cross or overlap, which is then not looked at. If the
@@ -40,6 +50,11 @@ struct ImportOptions {
   /// face of the mesh (a material, a colour). Empty: all are alike. With a number of its own each
   /// face stays as it is, and FaceSource::face always names just one.
   std::span<const std::uint32_t> face_groups;
+  /// Faces may cross and overlap as they like: the solid is what they bound by this rule, exactly,
+  /// as repair() says it (sectile/repair.h). Meshes with holes are refused all the same. What was
+  /// done is told in `report`, if there is one. `trusted` and `face_groups` say nothing then.
+  std::optional<Rule> resolve = {};
+  RepairReport* report = nullptr;
   const std::atomic<bool>* cancel = nullptr;  ///< Cancelled is thrown soon after it is set
   std::function<void(double)> progress;       ///< is told the part done, by one thread at a time
 };
