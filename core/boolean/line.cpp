@@ -9,10 +9,11 @@ std::pair<PlaneId, PlaneId> line_planes(const Patch& patch, HalfEdgeId h) {
   return {patch.plane(patch.brep.face_of(first)), patch.side(first)};
 }
 
-Construction edge_plane_construction(const Workspace& w, int s, HalfEdgeId h, PlaneId plane) {
-  const Brep& brep = w.patch[s].brep;
+Construction edge_plane_construction(const Workspace& w, Operand operand, HalfEdgeId h,
+                                     PlaneId plane) {
+  const Brep& brep = w.patch[operand].brep;
   const Geometry& g = w.geometry;
-  const auto [a, b] = line_planes(w.patch[s], h);
+  const auto [a, b] = line_planes(w.patch[operand], h);
   Construction how{a, b, plane, PointId(), PointId()};
   const PointId ends[2] = {brep.point_of(brep.from(h)), brep.point_of(brep.to(h))};
   if (!g.is_constructed(ends[0]) && !g.is_constructed(ends[1])) {

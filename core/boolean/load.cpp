@@ -15,8 +15,8 @@ bool same_point(const Geometry& a, PointId p, const Geometry& b, PointId q) {
   if (!(a.position(p) == b.position(q))) return false;
   if (a.is_explicit(p) && b.is_explicit(q)) return true;
   Geometry both;
-  const PointId mine = load_point(a, p, both), other = load_point(b, q, both);
-  return Kernel(both).same_point(mine, other);
+  const PointId mine = load_point(a, p, both), across = load_point(b, q, both);
+  return Kernel(both).same_point(mine, across);
 }
 
 // The slots of two solids whose blocks may meet.
@@ -28,8 +28,8 @@ class SlotPairs {
     });
     std::sort(pairs_.begin(), pairs_.end());
     for (const auto& [i, j] : pairs_) {
-      slots_[0].push_back(i);
-      slots_[1].push_back(j);
+      slots_[Operand::a].push_back(i);
+      slots_[Operand::b].push_back(j);
     }
     for (auto& slots : slots_) {
       std::sort(slots.begin(), slots.end());
@@ -38,18 +38,18 @@ class SlotPairs {
   }
 
   std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs() const { return pairs_; }
-  std::span<const std::uint32_t> slots(int s) const { return slots_[s]; }
+  std::span<const std::uint32_t> slots(Operand s) const { return slots_[s]; }
 
  private:
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
-  std::vector<std::uint32_t> slots_[2];
+  PerOperand<std::vector<std::uint32_t>> slots_;
 };
 
 // The hubs of both solids' blocks, those at one place together.
 class CommonHubs {
  public:
   CommonHubs(const SolidData& a, const SolidData& b, const SlotPairs& slots) : data_{&a, &b} {
-    for (const int s : {0, 1}) {
+    for (const Operand s : both_operands) {
       first_[s].resize(data_[s]->slots().size());
       for (const std::uint32_t slot : slots.slots(s)) {
         const std::size_t count = hubs(s, slot).size();
@@ -58,7 +58,7 @@ class CommonHubs {
         place_[s].resize(place_[s].size() + count);
       }
     }
-    if (place_[0].empty() || place_[1].empty()) order_.clear();
+    if (place_[Operand::a].empty() || place_[Operand::b].empty()) order_.clear();
     std::sort(order_.begin(), order_.end(), [&](const Hub& g, const Hub& h) {
       const Vec3 &p = position(g), &q = position(h);
       return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
@@ -79,7 +79,8 @@ class CommonHubs {
   /// Hubs of two blocks.
   bool are_at_one_place(std::uint32_t slot_of_a, std::uint32_t hub_of_a, std::uint32_t slot_of_b,
                         std::uint32_t hub_of_b) const {
-    return place_[0][first_[0][slot_of_a] + hub_of_a] == place_[1][first_[1][slot_of_b] + hub_of_b];
+    return place_[Operand::a][first_[Operand::a][slot_of_a] + hub_of_a] ==
+           place_[Operand::b][first_[Operand::b][slot_of_b] + hub_of_b];
   }
 
   /// The pairs that leave a common hub in a common direction.
@@ -104,16 +105,16 @@ class CommonHubs {
   /// The hub itself meets every face of the other fan: the pairs in which that is tested.
   void add_pairs_of_owners(const Workspace& w, FacePairs& pairs) const {
     for_each_place([&](const Fan& a, const Fan& b, const Vec3& place) {
-      for (const FaceId f : owners_at(w, 0, a, place))
-        for (const FaceId g : b.faces) pairs.push_back({f, loaded_face(w.patch[1], g)});
-      for (const FaceId g : owners_at(w, 1, b, place))
-        for (const FaceId f : a.faces) pairs.push_back({loaded_face(w.patch[0], f), g});
+      for (const FaceId f : owners_at(w, Operand::a, a, place))
+        for (const FaceId g : b.faces) pairs.push_back({f, loaded_face(w.patch[Operand::b], g)});
+      for (const FaceId g : owners_at(w, Operand::b, b, place))
+        for (const FaceId f : a.faces) pairs.push_back({loaded_face(w.patch[Operand::a], f), g});
     });
   }
 
  private:
   struct Hub {
-    int solid;
+    Operand solid;
     std::uint32_t slot, number;
   };
   struct Fan {
@@ -121,9 +122,9 @@ class CommonHubs {
     std::vector<Box> directions;
   };
 
-  const Block& block(int s, std::uint32_t slot) const { return *data_[s]->slot(slot).block; }
+  const Block& block(Operand s, std::uint32_t slot) const { return *data_[s]->slot(slot).block; }
   const Block& block(const Hub& h) const { return block(h.solid, h.slot); }
-  const Hubs& hubs(int s, std::uint32_t slot) const { return block(s, slot).tree().hubs(); }
+  const Hubs& hubs(Operand s, std::uint32_t slot) const { return block(s, slot).tree().hubs(); }
   PointId point(const Hub& h) const { return hubs(h.solid, h.slot).point(h.number); }
   const Vec3& position(const Hub& h) const { return block(h).geometry.position(point(h)); }
   std::uint32_t& place_of(const Hub& h) {
@@ -139,7 +140,7 @@ class CommonHubs {
   template <class Visit>
   void for_each_place(const Visit& visit) const {
     for (std::size_t from = 0, to; from < order_.size(); from = to) {
-      Fan fan[2];
+      PerOperand<Fan> fan;
       for (to = from; to < order_.size() && place_of(order_[to]) == place_of(order_[from]); ++to) {
         const Hub& h = order_[to];
         const auto faces = hubs(h.solid, h.slot).faces(h.number);
@@ -147,12 +148,12 @@ class CommonHubs {
         for (const FaceId f : faces) mine.faces.push_back(data_[h.solid]->face(h.slot, f));
         append(mine.directions, direction_boxes(block(h).brep, block(h).geometry, point(h), faces));
       }
-      if (!fan[0].faces.empty() && !fan[1].faces.empty())
-        visit(fan[0], fan[1], position(order_[from]));
+      if (!fan[Operand::a].faces.empty() && !fan[Operand::b].faces.empty())
+        visit(fan[Operand::a], fan[Operand::b], position(order_[from]));
     }
   }
 
-  static std::vector<FaceId> owners_at(const Workspace& w, int s, const Fan& fan,
+  static std::vector<FaceId> owners_at(const Workspace& w, Operand s, const Fan& fan,
                                        const Vec3& place) {
     const Patch& patch = w.patch[s];
     std::vector<FaceId> owners;
@@ -166,10 +167,10 @@ class CommonHubs {
     return owners;
   }
 
-  const SolidData* data_[2];
-  std::vector<Hub> order_;               // by place
-  std::vector<std::uint32_t> first_[2];  // per slot: its first hub
-  std::vector<std::uint32_t> place_[2];  // per hub
+  PerOperand<const SolidData*> data_;
+  std::vector<Hub> order_;                        // by place
+  PerOperand<std::vector<std::uint32_t>> first_;  // per slot: its first hub
+  PerOperand<std::vector<std::uint32_t>> place_;  // per hub
 };
 
 // The faces of the slots that are near, those in pairs marked. They have numbers one after another:
@@ -263,8 +264,8 @@ void add_pairs(const Workspace& w, const SolidData& a, const SolidData& b, const
             [&, s = s, t = t](std::uint32_t f, std::uint32_t g) {
               out.push_back({a.face(s, FaceId(f)), b.face(t, FaceId(g))});
             },
-            [&, s = s, t = t](std::uint32_t hub, std::uint32_t other) {
-              return !hubs.empty() && hubs.are_at_one_place(s, hub, t, other);
+            [&, s = s, t = t](std::uint32_t hub, std::uint32_t across) {
+              return !hubs.empty() && hubs.are_at_one_place(s, hub, t, across);
             });
       });
   for (const FacePairs& part : parts) append(pairs, part);
@@ -274,28 +275,28 @@ void add_pairs(const Workspace& w, const SolidData& a, const SolidData& b, const
 
 void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs) {
   const SlotPairs slots(a, b);
-  make_trees(w, a, slots.slots(0));
-  make_trees(w, b, slots.slots(1));
+  make_trees(w, a, slots.slots(Operand::a));
+  make_trees(w, b, slots.slots(Operand::b));
   const CommonHubs hubs(a, b, slots);
   pairs.clear();
   add_pairs(w, a, b, slots, hubs, pairs);
   hubs.add_pairs(pairs);
-  NearFaceMarks marks[2] = {{a, slots.slots(0)}, {b, slots.slots(1)}};
+  NearFaceMarks of_a(a, slots.slots(Operand::a)), of_b(b, slots.slots(Operand::b));
   for (const auto& [f, g] : pairs) {
-    marks[0].mark(f);
-    marks[1].mark(g);
+    of_a.mark(f);
+    of_b.mark(g);
   }
-  hubs.mark_faces(marks[0], marks[1]);
-  w.patch[0] = load_patch(a, marks[0].marked(), w.geometry);
-  w.patch[1] = load_patch(b, marks[1].marked(), w.geometry);
+  hubs.mark_faces(of_a, of_b);
+  w.patch[Operand::a] = load_patch(a, of_a.marked(), w.geometry);
+  w.patch[Operand::b] = load_patch(b, of_b.marked(), w.geometry);
   w.kernel = std::make_unique<Kernel>(w.geometry);
   for (Patch& patch : w.patch) complete_patch(patch, w.geometry, *w.kernel);
   for (auto& [f, g] : pairs) {
-    f = marks[0].loaded_face(w.patch[0], f);
-    g = marks[1].loaded_face(w.patch[1], g);
+    f = of_a.loaded_face(w.patch[Operand::a], f);
+    g = of_b.loaded_face(w.patch[Operand::b], g);
   }
   hubs.add_pairs_of_owners(w, pairs);
-  sort(pairs, w.patch[0].loaded_faces);
+  sort(pairs, w.patch[Operand::a].loaded_faces);
 }
 
 }  // namespace sectile

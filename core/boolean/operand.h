@@ -22,9 +22,6 @@ struct PerOperand {
   constexpr const T& operator[](Operand operand) const {
     return of[static_cast<std::size_t>(operand)];
   }
-  // For the reduction, until it speaks of operands, too.
-  constexpr T& operator[](int operand) { return of[operand]; }
-  constexpr const T& operator[](int operand) const { return of[operand]; }
 
   constexpr T* begin() { return of; }
   constexpr T* end() { return of + 2; }

@@ -4,7 +4,8 @@
 #include <atomic>
 #include <memory>
 
-#include "boolean/records.h"
+#include "boolean/operand.h"
+#include "boolean/patch.h"
 #include "geometry/kernel.h"
 #include "sectile/boolean.h"
 #include "sectile/errors.h"
@@ -19,13 +20,7 @@ struct Workspace {
   std::unique_ptr<Kernel> kernel;
   PerOperand<Patch> patch;
 
-  // While the reduction is at work; then it hands them over as Contacts.
-  std::vector<Contact> contacts;   ///< ascending by entities, crossings last
-  Table<PlaceId, PointId> places;  ///< the point of each place
-  std::vector<SegmentRecord> records;
-
   const Kernel& tests() const { return *kernel; }
-  PointId point(PlaceId place) const { return places[place]; }
 
   /// Throws Cancelled if that was asked for. Loops that take long call it now and then.
   void check_cancelled() const {

@@ -13,8 +13,8 @@ namespace sectile {
 struct Hit {
   Entity piercer;
   FaceId face;
-  Entity found;               ///< the face, or one of its edges or vertices
-  std::uint32_t contact = 0;  ///< index in Workspace::contacts
+  Entity found;  ///< the face, or one of its edges or vertices
+  ContactId contact;
   std::uint64_t key() const { return std::uint64_t(piercer.code()) << 32 | face.value(); }
 };
 
@@ -32,10 +32,10 @@ struct SidedHalfEdge {
 };
 
 struct PairOfFaces {
-  FaceId face[2];
+  PerOperand<FaceId> face;
   bool coplanar;
   /// Indices in ContactTable::sided of the half-edges of both faces that meet the other's plane.
-  std::uint32_t first_sided[2], last_sided[2];
+  PerOperand<std::uint32_t> first_sided, last_sided;
 };
 
 /// Where the hits of each edge and vertex of a solid begin in a list that is ascending by key.
@@ -56,34 +56,34 @@ class HitsOfPiercers {
 
 /// The outcome of the tests of all pairs. [s]: the piercer or edge belongs to solid s.
 struct ContactTable {
-  std::vector<Hit> hits[2];  ///< ascending by key
-  HitsOfPiercers hits_of[2];
-  std::vector<InPlane> in_plane[2];
+  PerOperand<std::vector<Hit>> hits;  ///< ascending by key
+  PerOperand<HitsOfPiercers> hits_of;
+  PerOperand<std::vector<InPlane>> in_plane;
   std::vector<std::pair<EdgeId, EdgeId>> flat_crossings;
   std::vector<PairOfFaces> pairs;  ///< not separated by one of their planes
-  std::vector<SidedHalfEdge> sided[2];
+  PerOperand<std::vector<SidedHalfEdge>> sided;
 
   /// Where a piercer meets a face; on several entities where the face touches itself.
-  std::span<const Hit> find(int solid, Entity piercer, FaceId face) const;
+  std::span<const Hit> find(Operand solid, Entity piercer, FaceId face) const;
   /// The half-edges of one face of a pair that meet the other one's plane.
-  std::span<const SidedHalfEdge> meeting(const PairOfFaces& pair, int solid) const {
+  std::span<const SidedHalfEdge> meeting(const PairOfFaces& pair, Operand solid) const {
     return std::span(sided[solid])
         .subspan(pair.first_sided[solid], pair.last_sided[solid] - pair.first_sided[solid]);
   }
 };
 
-/// Steps 1 to 8 for all pairs; fills Workspace::contacts.
-ContactTable find_contacts(Workspace& w, const FacePairs& candidates);
+/// Steps 1 to 8 for all pairs; fills the contacts and places.
+ContactTable find_contacts(Workspace& w, const FacePairs& candidates, Contacts& found);
 /// Gives contacts at the same point the same place; those before the first one keep theirs.
-void find_places(Workspace& w, std::size_t first_contact);
+void find_places(Workspace& w, ContactId first, Contacts& found);
 /// Finds the segments between the contacts of each pair.
-void find_segments(Workspace& w, const ContactTable& table);
+void find_segments(const Workspace& w, const ContactTable& table, Contacts& found);
 /// Divides the segments at all places within them.
-void split_at_places(Workspace& w);
+void split_at_places(const Workspace& w, Contacts& found);
 /// Adds places where edges of one operand cross each other in a face of the other. Returns whether
 /// there are any.
-bool add_crossings(Workspace& w);
+bool add_crossings(Workspace& w, Contacts& found);
 /// Adds faces in which an operand touches itself along a segment.
-void add_touched_faces(Workspace& w, const ContactTable& table);
+void add_touched_faces(const Workspace& w, const ContactTable& table, Contacts& found);
 
 }  // namespace sectile

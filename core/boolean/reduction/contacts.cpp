@@ -29,14 +29,14 @@ bool near_half_edges(const Patch& patch, FaceId face, const Box& box,
 
 // The half-edges of a face that come near another one, with their sides. Returns false if it is
 // certain that the face does not reach the plane.
-bool sided_half_edges(const Workspace& w, int solid, FaceId face, FaceId other,
+bool sided_half_edges(const Workspace& w, Operand solid, FaceId face, FaceId across,
                       std::vector<SidedHalfEdge>& out) {
   const Patch& patch = w.patch[solid];
   if (patch.unbounded) return true;
-  const Patch& others = w.patch[1 - solid];
-  const PlaneId plane = others.plane(other);
+  const Patch& others = w.patch[other(solid)];
+  const PlaneId plane = others.plane(across);
   const auto side = [&](VertexId v) { return w.tests().side(patch.brep.point_of(v), plane); };
-  const Box near = others.unbounded ? Box::everything() : others.face_boxes[other.value()];
+  const Box near = others.unbounded ? Box::everything() : others.face_boxes[across.value()];
   if (!near_half_edges(patch, face, near, out)) {
     for (SidedHalfEdge& i : out) {
       i.from = side(patch.brep.from(i.h));
@@ -60,14 +60,14 @@ bool sided_half_edges(const Workspace& w, int solid, FaceId face, FaceId other,
 }
 
 struct PairOutput {
-  std::vector<Hit> hits[2];
-  std::vector<InPlane> in_plane[2];
+  PerOperand<std::vector<Hit>> hits;
+  PerOperand<std::vector<InPlane>> in_plane;
   std::vector<std::pair<EdgeId, EdgeId>> flat_crossings;
   std::vector<PairOfFaces> pairs;
-  std::vector<SidedHalfEdge> meeting[2];
-  std::vector<SidedHalfEdge> sided[2];  // scratch
-  std::vector<HalfEdgeId> flat[2];      // scratch
-  std::vector<Entity> found;            // scratch
+  PerOperand<std::vector<SidedHalfEdge>> meeting;
+  PerOperand<std::vector<SidedHalfEdge>> sided;  // scratch
+  PerOperand<std::vector<HalfEdgeId>> flat;      // scratch
+  std::vector<Entity> found;                     // scratch
 };
 
 class PairTest {
@@ -79,21 +79,23 @@ class PairTest {
 
   void operator()(FaceId a, FaceId b) {
     auto& sided = out_.sided;
-    sided[0].clear();
-    sided[1].clear();
-    if (!sided_half_edges(w_, 0, a, b, sided[0]) || !sided_half_edges(w_, 1, b, a, sided[1]))
+    sided[Operand::a].clear();
+    sided[Operand::b].clear();
+    if (!sided_half_edges(w_, Operand::a, a, b, sided[Operand::a]) ||
+        !sided_half_edges(w_, Operand::b, b, a, sided[Operand::b]))
       return;
-    const bool coplanar = kernel_.coplanar(w_.patch[0].plane(a), w_.patch[1].plane(b));
+    const bool coplanar =
+        kernel_.coplanar(w_.patch[Operand::a].plane(a), w_.patch[Operand::b].plane(b));
     add_pair(a, b, coplanar);
-    pierce(0, a, b);
-    pierce(1, b, a);
+    pierce(Operand::a, a, b);
+    pierce(Operand::b, b, a);
     if (coplanar) cross_flat_edges(a, b);
   }
 
  private:
   void add_pair(FaceId a, FaceId b, bool coplanar) {
     PairOfFaces pair{{a, b}, coplanar, {}, {}};
-    for (int s = 0; s < 2; ++s) {
+    for (const Operand s : both_operands) {
       auto& meeting = out_.meeting[s];
       pair.first_sided[s] = static_cast<std::uint32_t>(meeting.size());
       if (!coplanar)
@@ -105,51 +107,52 @@ class PairTest {
   }
 
   // Edges and vertices that this face of solid s speaks for, against the other face.
-  void pierce(int s, FaceId face, FaceId other) {
+  void pierce(Operand s, FaceId face, FaceId across) {
     const Patch& patch = w_.patch[s];
     for (const SidedHalfEdge& i : out_.sided[s]) {
       const VertexId v = patch.brep.from(i.h);
       if (i.from == Sign::zero && patch.owner(v) == face &&
           patch.brep.vertex_half_edge[v.value()] == i.h)
-        record(s, v, other, Probe(kernel_, patch.brep.point_of(v)));
+        record(s, v, across, Probe(kernel_, patch.brep.point_of(v)));
       const EdgeId e = Brep::edge_of(i.h);
       if (patch.owner(e) != face) continue;
       if (i.from * i.to == Sign::negative)
-        record(s, e, other, edge_probe(s, i.h, other));
+        record(s, e, across, edge_probe(s, i.h, across));
       else if (i.from == Sign::zero && i.to == Sign::zero)
-        out_.in_plane[s].push_back({e, other});
+        out_.in_plane[s].push_back({e, across});
     }
   }
 
-  Probe edge_probe(int s, HalfEdgeId h, FaceId other) const {
+  Probe edge_probe(Operand s, HalfEdgeId h, FaceId across) const {
     const Brep& brep = w_.patch[s].brep;
     return Probe(kernel_, brep.point_of(brep.from(h)), brep.point_of(brep.to(h)),
-                 edge_plane_construction(w_, s, h, w_.patch[1 - s].plane(other)));
+                 edge_plane_construction(w_, s, h, w_.patch[other(s)].plane(across)));
   }
 
-  void record(int s, Entity piercer, FaceId other, const Probe& probe) {
-    locate(kernel_, w_.patch[1 - s], other, probe, out_.found);
-    for (const Entity found : out_.found) out_.hits[s].push_back({piercer, other, found});
+  void record(Operand s, Entity piercer, FaceId across, const Probe& probe) {
+    locate(kernel_, w_.patch[other(s)], across, probe, out_.found);
+    for (const Entity found : out_.found) out_.hits[s].push_back({piercer, across, found, {}});
   }
 
   // Two edges between coplanar faces in one plane: no face is crossed there, so the edges are
   // tested against each other.
   void cross_flat_edges(FaceId a, FaceId b) {
-    collect_flat(0, a);
-    collect_flat(1, b);
-    const auto& [of_a, of_b] = out_.flat;
+    collect_flat(Operand::a, a);
+    collect_flat(Operand::b, b);
+    const auto &of_a = out_.flat[Operand::a], &of_b = out_.flat[Operand::b];
     if (of_a.size() * of_b.size() <= few_pairs) {
       for (const HalfEdgeId h : of_a)
         for (const HalfEdgeId i : of_b) cross_flat(h, i);
     } else {
-      BoxTree::overlaps(box_tree(0), box_tree(1), [&](std::uint32_t i, std::uint32_t j) {
-        cross_flat(out_.flat[0][i], out_.flat[1][j]);
-      });
+      BoxTree::overlaps(box_tree(Operand::a), box_tree(Operand::b),
+                        [&](std::uint32_t i, std::uint32_t j) {
+                          cross_flat(out_.flat[Operand::a][i], out_.flat[Operand::b][j]);
+                        });
     }
   }
 
   // The flat edges that the face speaks for.
-  void collect_flat(int s, FaceId face) {
+  void collect_flat(Operand s, FaceId face) {
     const Patch& patch = w_.patch[s];
     out_.flat[s].clear();
     for (const SidedHalfEdge& i : out_.sided[s])
@@ -157,7 +160,7 @@ class PairTest {
         out_.flat[s].push_back(i.h);
   }
 
-  BoxTree box_tree(int s) const {
+  BoxTree box_tree(Operand s) const {
     const Brep& brep = w_.patch[s].brep;
     std::vector<Box> boxes;
     boxes.reserve(out_.flat[s].size());
@@ -171,11 +174,12 @@ class PairTest {
   }
 
   void cross_flat(HalfEdgeId h, HalfEdgeId i) {
-    if (ends_apart(0, h, w_.patch[1].side(i)) && ends_apart(1, i, w_.patch[0].side(h)))
+    if (ends_apart(Operand::a, h, w_.patch[Operand::b].side(i)) &&
+        ends_apart(Operand::b, i, w_.patch[Operand::a].side(h)))
       out_.flat_crossings.push_back({Brep::edge_of(h), Brep::edge_of(i)});
   }
 
-  bool ends_apart(int s, HalfEdgeId h, PlaneId plane) const {
+  bool ends_apart(Operand s, HalfEdgeId h, PlaneId plane) const {
     const Brep& brep = w_.patch[s].brep;
     return kernel_.side(brep.point_of(brep.from(h)), plane) *
                kernel_.side(brep.point_of(brep.to(h)), plane) ==
@@ -188,7 +192,7 @@ class PairTest {
 };
 
 // The plane through edge h of solid s that cuts the line of an edge of the other solid.
-PlaneId cutting_plane(const Workspace& w, int s, EdgeId e, PlaneId a, PlaneId b) {
+PlaneId cutting_plane(const Workspace& w, Operand s, EdgeId e, PlaneId a, PlaneId b) {
   const Patch& patch = w.patch[s];
   for (unsigned side = 0; side < 2; ++side) {
     const PlaneId plane = patch.side(Brep::half_edge(e, side));
@@ -198,69 +202,71 @@ PlaneId cutting_plane(const Workspace& w, int s, EdgeId e, PlaneId a, PlaneId b)
 }
 
 Construction contact_construction(const Workspace& w, const Contact& contact) {
-  for (int s = 0; s < 2; ++s) {
+  for (const Operand s : both_operands) {
     if (!contact.on[s].is_edge()) continue;
     const HalfEdgeId h = Brep::half_edge(contact.on[s].edge());
-    const Entity other = contact.on[1 - s];
-    if (other.is_face())
-      return edge_plane_construction(w, s, h, w.patch[1 - s].plane(other.face()));
+    const Entity across = contact.on[other(s)];
+    if (across.is_face())
+      return edge_plane_construction(w, s, h, w.patch[other(s)].plane(across.face()));
     const auto [a, b] = line_planes(w.patch[s], h);
-    return edge_plane_construction(w, s, h, cutting_plane(w, 1 - s, other.edge(), a, b));
+    return edge_plane_construction(w, s, h, cutting_plane(w, other(s), across.edge(), a, b));
   }
   return {};
 }
 
-void make_points(Workspace& w) {
+void make_points(Workspace& w, Table<ContactId, Contact>& contacts) {
   struct Made {
     Construction how;
     ConstructedPoint point;
   };
-  std::vector<Made> made(w.contacts.size());
-  collect<int>(w, w.contacts.size(), 64, [&](std::size_t i, int&) {
-    Contact& c = w.contacts[i];
+  Table<ContactId, Made> made(contacts.size());
+  collect<int>(w, contacts.size(), 64, [&](std::size_t i, int&) {
+    const ContactId id(i);
+    Contact& c = contacts[id];
     PointId known;
-    for (int s = 0; s < 2; ++s) {
+    for (const Operand s : both_operands) {
       if (!c.on[s].is_vertex()) continue;
       const PointId p = w.patch[s].brep.point_of(c.on[s].vertex());
       if (!known.valid() || !w.geometry.is_constructed(p)) known = p;
     }
     c.point = known;
     if (known.valid()) return;
-    made[i].how = contact_construction(w, c);
-    made[i].point = w.tests().construct(made[i].how);
+    made[id].how = contact_construction(w, c);
+    made[id].point = w.tests().construct(made[id].how);
   });
-  for (std::size_t i = 0; i < made.size(); ++i)
-    if (!w.contacts[i].point.valid())
-      w.contacts[i].point = add_constructed(w.geometry, made[i].how, made[i].point);
+  for (const ContactId id : contacts.ids())
+    if (!contacts[id].point.valid())
+      contacts[id].point = add_constructed(w.geometry, made[id].how, made[id].point);
   w.kernel->refresh();
 }
 
-void number_contacts(Workspace& w, ContactTable& table) {
+void number_contacts(const Workspace& w, ContactTable& table, Table<ContactId, Contact>& found) {
+  std::vector<Contact>& contacts = found.items();
   const auto by_entities = [](const Contact& c) {
-    return std::uint64_t(c.on[0].code()) << 32 | c.on[1].code();
+    return std::uint64_t(c.on[Operand::a].code()) << 32 | c.on[Operand::b].code();
   };
-  const auto contact_of = [](int s, const Hit& hit) {
+  const auto contact_of = [](Operand s, const Hit& hit) {
     Contact c;
     c.on[s] = hit.piercer;
-    c.on[1 - s] = hit.found;
+    c.on[other(s)] = hit.found;
     return c;
   };
-  for (int s = 0; s < 2; ++s)
-    for (const Hit& hit : table.hits[s]) w.contacts.push_back(contact_of(s, hit));
+  for (const Operand s : both_operands)
+    for (const Hit& hit : table.hits[s]) contacts.push_back(contact_of(s, hit));
   for (const auto& [e, f] : table.flat_crossings) {
     Contact c;
-    c.on[0] = e;
-    c.on[1] = f;
-    w.contacts.push_back(c);
+    c.on[Operand::a] = e;
+    c.on[Operand::b] = f;
+    contacts.push_back(c);
   }
-  large_sort(w.contacts,
+  large_sort(contacts,
              [&](const Contact& p, const Contact& q) { return by_entities(p) < by_entities(q); });
-  w.contacts.erase(std::unique(w.contacts.begin(), w.contacts.end(),
-                               [&](const Contact& p, const Contact& q) {
-                                 return by_entities(p) == by_entities(q);
-                               }),
-                   w.contacts.end());
-  for (int s = 0; s < 2; ++s) {
+  contacts.erase(std::unique(contacts.begin(), contacts.end(),
+                             [&](const Contact& p, const Contact& q) {
+                               return by_entities(p) == by_entities(q);
+                             }),
+                 contacts.end());
+  for (const Operand s : both_operands) {
     std::vector<Hit>& hits = table.hits[s];
     large_sort(hits, [](const Hit& p, const Hit& q) {
       return p.key() != q.key() ? p.key() < q.key() : p.found.code() < q.found.code();
@@ -268,9 +274,9 @@ void number_contacts(Workspace& w, ContactTable& table) {
     collect<int>(w, hits.size(), 1024, [&](std::size_t i, int&) {
       const std::uint64_t key = by_entities(contact_of(s, hits[i]));
       const auto at = std::lower_bound(
-          w.contacts.begin(), w.contacts.end(), key,
+          contacts.begin(), contacts.end(), key,
           [&](const Contact& c, std::uint64_t wanted) { return by_entities(c) < wanted; });
-      hits[i].contact = static_cast<std::uint32_t>(at - w.contacts.begin());
+      hits[i].contact = ContactId(static_cast<std::size_t>(at - contacts.begin()));
     });
     table.hits_of[s] = HitsOfPiercers(hits, w.patch[s].brep);
   }
@@ -288,26 +294,26 @@ HitsOfPiercers::HitsOfPiercers(std::span<const Hit> hits, const Brep& brep)
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
 }
 
-std::span<const Hit> ContactTable::find(int solid, Entity piercer, FaceId face) const {
+std::span<const Hit> ContactTable::find(Operand solid, Entity piercer, FaceId face) const {
   const auto [first, last] = hits_of[solid][piercer];
   const std::span<const Hit> of_piercer = std::span(hits[solid]).subspan(first, last - first);
   const auto [from, to] =
-      std::equal_range(of_piercer.begin(), of_piercer.end(), Hit{piercer, face, {}, 0},
+      std::equal_range(of_piercer.begin(), of_piercer.end(), Hit{piercer, face, {}, {}},
                        [](const Hit& p, const Hit& q) { return p.face < q.face; });
   return {from, to};
 }
 
-ContactTable find_contacts(Workspace& w, const FacePairs& candidates) {
+ContactTable find_contacts(Workspace& w, const FacePairs& candidates, Contacts& found) {
   auto outputs =
       collect<PairOutput>(w, candidates.size(), 128, [&](std::size_t i, PairOutput& out) {
         PairTest(w, out)(candidates[i].first, candidates[i].second);
       });
   ContactTable table;
   for (PairOutput& out : outputs) {
-    for (int s = 0; s < 2; ++s) {
+    for (const Operand s : both_operands) {
       for (PairOfFaces& pair : out.pairs)
-        for (auto* bound : {pair.first_sided, pair.last_sided})
-          bound[s] += static_cast<std::uint32_t>(table.sided[s].size());
+        for (auto* bound : {&pair.first_sided, &pair.last_sided})
+          (*bound)[s] += static_cast<std::uint32_t>(table.sided[s].size());
       append(table.sided[s], out.meeting[s]);
       append(table.hits[s], out.hits[s]);
       append(table.in_plane[s], out.in_plane[s]);
@@ -315,9 +321,9 @@ ContactTable find_contacts(Workspace& w, const FacePairs& candidates) {
     append(table.flat_crossings, out.flat_crossings);
     append(table.pairs, out.pairs);
   }
-  number_contacts(w, table);
-  make_points(w);
-  find_places(w, 0);
+  number_contacts(w, table, found.contacts);
+  make_points(w, found.contacts);
+  find_places(w, ContactId(0), found);
   return table;
 }
 

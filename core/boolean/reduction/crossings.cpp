@@ -11,16 +11,18 @@ namespace sectile {
 namespace {
 
 struct Crossing {
-  std::uint32_t record[2];
+  PerOperand<std::uint32_t> record;
   Construction how;
 };
 
 // Segments of edges of solid s in the interior of faces of the other one.
 class CrossingEdges {
  public:
-  CrossingEdges(const Workspace& w, int s) : w_(w), kernel_(w.tests()), s_(s) {
-    for (std::uint32_t i = 0; i < w.records.size(); ++i)
-      if (w.records[i].on[s].is_edge() && w.records[i].on[1 - s].is_face()) order_.push_back(i);
+  CrossingEdges(const Workspace& w, const Contacts& found, Operand s)
+      : w_(w), kernel_(w.tests()), found_(found), s_(s) {
+    for (std::uint32_t i = 0; i < found.segments.size(); ++i)
+      if (found.segments[i].on[s].is_edge() && found.segments[i].on[other(s)].is_face())
+        order_.push_back(i);
     std::stable_sort(order_.begin(), order_.end(),
                      [&](std::uint32_t i, std::uint32_t j) { return face(i) < face(j); });
     for (std::size_t from = 0, to; from < order_.size(); from = to) {
@@ -43,12 +45,12 @@ class CrossingEdges {
   }
 
  private:
-  FaceId face(std::uint32_t record) const { return w_.records[record].on[1 - s_].face(); }
+  FaceId face(std::uint32_t record) const { return found_.segments[record].on[other(s_)].face(); }
   HalfEdgeId half_edge(std::uint32_t record) const {
-    return Brep::half_edge(w_.records[record].on[s_].edge());
+    return Brep::half_edge(found_.segments[record].on[s_].edge());
   }
   PointId end(std::uint32_t record, int which) const {
-    return w_.point(w_.records[record].place[which]);
+    return found_.point(found_.segments[record].place[which]);
   }
   Box box(std::uint32_t record) const {
     Bounds bounds;
@@ -58,11 +60,11 @@ class CrossingEdges {
   // A plane through the segment across the face.
   PlaneId across(std::uint32_t record) const {
     const auto [a, b] = line_planes(w_.patch[s_], half_edge(record));
-    return kernel_.parallel(w_.patch[1 - s_].plane(face(record)), a) ? b : a;
+    return kernel_.parallel(w_.patch[other(s_)].plane(face(record)), a) ? b : a;
   }
   bool have_common_end(std::uint32_t i, std::uint32_t j) const {
-    for (const PlaceId p : w_.records[i].place)
-      for (const PlaceId q : w_.records[j].place)
+    for (const PlaceId p : found_.segments[i].place)
+      for (const PlaceId q : found_.segments[j].place)
         if (p == q) return true;
     return false;
   }
@@ -78,40 +80,41 @@ class CrossingEdges {
 
   const Workspace& w_;
   const Kernel& kernel_;
-  int s_;
+  const Contacts& found_;
+  Operand s_;
   std::vector<std::uint32_t> order_;  // by face
   std::vector<std::span<const std::uint32_t>> groups_;
 };
 
-void add_contacts(Workspace& w, const std::vector<Crossing>& crossings) {
-  const std::size_t first = w.contacts.size();
+void add_contacts(Workspace& w, const std::vector<Crossing>& crossings, Contacts& found) {
+  const ContactId first = found.contacts.end_id();
   for (const Crossing& crossing : crossings) {
     const PointId point =
         add_constructed(w.geometry, crossing.how, w.tests().construct(crossing.how));
     for (const std::uint32_t record : crossing.record) {
       Contact contact;
-      for (const int s : {0, 1}) contact.on[s] = w.records[record].on[s];
+      for (const Operand s : both_operands) contact.on[s] = found.segments[record].on[s];
       contact.point = point;
-      w.contacts.push_back(contact);
+      found.contacts.add(contact);
     }
   }
   w.kernel->refresh();
-  find_places(w, first);
+  find_places(w, first, found);
 }
 
 }  // namespace
 
-bool add_crossings(Workspace& w) {
+bool add_crossings(Workspace& w, Contacts& found) {
   std::vector<Crossing> crossings;
-  for (const int s : {0, 1}) {
-    const CrossingEdges edges(w, s);
-    using Found = std::vector<Crossing>;
-    for (const Found& found :
-         collect<Found>(w, edges.groups(), 1, [&](std::size_t i, Found&out) { edges(i, out); }))
-      append(crossings, found);
+  for (const Operand s : both_operands) {
+    const CrossingEdges edges(w, found, s);
+    using Crossings = std::vector<Crossing>;
+    for (const Crossings& some : collect<Crossings>(
+             w, edges.groups(), 1, [&](std::size_t i, Crossings&out) { edges(i, out); }))
+      append(crossings, some);
   }
   if (crossings.empty()) return false;
-  add_contacts(w, crossings);
+  add_contacts(w, crossings, found);
   return true;
 }
 

@@ -11,11 +11,11 @@ namespace {
 
 class Noding {
  public:
-  explicit Noding(const Workspace& w) : w_(w), kernel_(w.tests()) {
-    std::vector<Box> boxes(w.places.size());
-    for (const PlaceId place : w.places.ids()) {
+  Noding(const Workspace& w, const Contacts& found) : w_(w), kernel_(w.tests()), found_(found) {
+    std::vector<Box> boxes(found.places.size());
+    for (const PlaceId place : found.places.ids()) {
       Bounds bounds;
-      bounds.add(w.geometry.position(w.point(place)));
+      bounds.add(w.geometry.position(found.point(place)));
       boxes[place.value()] = bounds.box();
     }
     tree_ = BoxTree(boxes);
@@ -28,14 +28,14 @@ class Noding {
       return;
     }
     PlaceId from = record.place[0];
-    Entity start[2] = {record.end[0][0], record.end[1][0]};
+    PerOperand<Entity> start{record.end[Operand::a][0], record.end[Operand::b][0]};
     inside.push_back(record.place[1]);
     for (const PlaceId to : inside) {
       SegmentRecord piece = record;
       const bool last = to == record.place[1];
       piece.place[0] = from;
       piece.place[1] = to;
-      for (int s = 0; s < 2; ++s) {
+      for (const Operand s : both_operands) {
         piece.end[s][0] = start[s];
         piece.end[s][1] = last ? record.end[s][1] : record.on[s];
         start[s] = record.on[s];
@@ -51,26 +51,27 @@ class Noding {
 
  private:
   std::pair<PlaneId, PlaneId> line_of(const SegmentRecord& record) const {
-    for (int s = 0; s < 2; ++s)
+    for (const Operand s : both_operands)
       if (record.on[s].is_edge())
         return line_planes(w_.patch[s], Brep::half_edge(record.on[s].edge()));
-    return {w_.patch[0].plane(record.on[0].face()), w_.patch[1].plane(record.on[1].face())};
+    return {w_.patch[Operand::a].plane(record.on[Operand::a].face()),
+            w_.patch[Operand::b].plane(record.on[Operand::b].face())};
   }
 
   // Those strictly between the two ends, in order.
   std::vector<PlaceId> places_inside(const SegmentRecord& record) const {
-    const PointId p = w_.point(record.place[0]), q = w_.point(record.place[1]);
+    const PointId p = found_.point(record.place[0]), q = found_.point(record.place[1]);
     Bounds bounds;
     bounds.add(w_.geometry.position(p));
     bounds.add(w_.geometry.position(q));
     const Box box = bounds.box();
     const auto [a, b] = line_of(record);
     std::vector<PlaceId> found;
-    tree_.query([&](const Box& other) { return other.overlaps(box); },
+    tree_.query([&](const Box& place) { return place.overlaps(box); },
                 [&, a = a, b = b](std::uint32_t item) {
                   const PlaceId place{item};
                   if (place == record.place[0] || place == record.place[1]) return;
-                  const PointId x = w_.point(place);
+                  const PointId x = found_.point(place);
                   if (kernel_.side(x, a) == Sign::zero && kernel_.side(x, b) == Sign::zero)
                     found.push_back(place);
                 });
@@ -78,31 +79,32 @@ class Noding {
     const int axis = kernel_.cross_axis(a, b);
     const Sign along = kernel_.compare(p, q, axis);
     std::erase_if(found, [&](PlaceId place) {
-      return kernel_.compare(p, w_.point(place), axis) != along ||
-             kernel_.compare(w_.point(place), q, axis) != along;
+      return kernel_.compare(p, found_.point(place), axis) != along ||
+             kernel_.compare(found_.point(place), q, axis) != along;
     });
     std::sort(found.begin(), found.end(), [&](PlaceId i, PlaceId j) {
-      return kernel_.compare(w_.point(i), w_.point(j), axis) == along;
+      return kernel_.compare(found_.point(i), found_.point(j), axis) == along;
     });
     return found;
   }
 
   const Workspace& w_;
   const Kernel& kernel_;
+  const Contacts& found_;
   BoxTree tree_;
 };
 
 }  // namespace
 
-void split_at_places(Workspace& w) {
-  const Noding noding(w);
+void split_at_places(const Workspace& w, Contacts& found) {
+  const Noding noding(w, found);
   using Records = std::vector<SegmentRecord>;
   Records pieces;
   for (const Records& r :
-       collect<Records>(w, w.records.size(), 128,
-                        [&](std::size_t i, Records&out) { noding.split(w.records[i], out); }))
+       collect<Records>(w, found.segments.size(), 128,
+                        [&](std::size_t i, Records&out) { noding.split(found.segments[i], out); }))
     append(pieces, r);
-  w.records = std::move(pieces);
+  found.segments = std::move(pieces);
 }
 
 }  // namespace sectile

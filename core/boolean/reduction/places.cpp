@@ -1,6 +1,5 @@
 // Step (4) of section 5 of the paper, for any number of vertices and edges at one point.
 #include <algorithm>
-#include <numeric>
 #include <span>
 
 #include "boolean/reduction/contact_table.h"
@@ -8,13 +7,15 @@
 
 namespace sectile {
 
-void find_places(Workspace& w, std::size_t first_contact) {
-  const auto position = [&](std::uint32_t i) -> const Vec3& {
-    return w.geometry.position(w.contacts[i].point);
+void find_places(Workspace& w, ContactId first, Contacts& found) {
+  const auto position = [&](ContactId i) -> const Vec3& {
+    return w.geometry.position(found.contacts[i].point);
   };
-  std::vector<std::uint32_t> order(w.contacts.size() - first_contact);
-  std::iota(order.begin(), order.end(), static_cast<std::uint32_t>(first_contact));
-  large_sort(order, [&](std::uint32_t i, std::uint32_t j) {
+  const IdRange<ContactId> contacts = found.contacts.ids_from(first);
+  std::vector<ContactId> order;
+  order.reserve(contacts.size());
+  for (const ContactId i : contacts) order.push_back(i);
+  large_sort(order, [&](ContactId i, ContactId j) {
     const Vec3 &p = position(i), &q = position(j);
     if (p.x != q.x) return p.x < q.x;
     if (p.y != q.y) return p.y < q.y;
@@ -22,25 +23,26 @@ void find_places(Workspace& w, std::size_t first_contact) {
     return i < j;
   });
   // Equal points have equal rounded positions; among these, exact tests decide.
-  PlaceId first_place = w.places.end_id();
+  PlaceId first_place = found.places.end_id();
   for (std::size_t i = 0; i < order.size(); ++i) {
-    Contact& contact = w.contacts[order[i]];
-    if (i == 0 || !(position(order[i]) == position(order[i - 1]))) first_place = w.places.end_id();
+    Contact& contact = found.contacts[order[i]];
+    if (i == 0 || !(position(order[i]) == position(order[i - 1])))
+      first_place = found.places.end_id();
     PlaceId place;
-    for (const PlaceId known : w.places.ids_from(first_place)) {
-      if (!w.tests().same_point(w.point(known), contact.point)) continue;
+    for (const PlaceId known : found.places.ids_from(first_place)) {
+      if (!w.tests().same_point(found.point(known), contact.point)) continue;
       place = known;
       break;
     }
-    if (!place.valid()) place = w.places.add(contact.point);
-    if (!w.geometry.is_constructed(contact.point)) w.places[place] = contact.point;
+    if (!place.valid()) place = found.places.add(contact.point);
+    if (!w.geometry.is_constructed(contact.point)) found.places[place] = contact.point;
     contact.place = place;
   }
   // Vertices at one place share one point from now on.
-  for (const Contact& contact : std::span(w.contacts).subspan(first_contact))
-    for (int s = 0; s < 2; ++s)
+  for (const Contact& contact : found.contacts[contacts])
+    for (const Operand s : both_operands)
       if (contact.on[s].is_vertex())
-        w.patch[s].brep.point[contact.on[s].vertex().value()] = w.places[contact.place];
+        w.patch[s].brep.point[contact.on[s].vertex().value()] = found.places[contact.place];
 }
 
 }  // namespace sectile

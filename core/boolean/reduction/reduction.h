@@ -3,11 +3,32 @@
 // Afterwards they meet only in places (points) and in open segments between neighbouring places.
 #pragma once
 
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "boolean/entity.h"
+#include "boolean/ids.h"
 #include "boolean/workspace.h"
 
 namespace sectile {
 
 using FacePairs = std::vector<std::pair<FaceId, FaceId>>;
+
+/// A place where the two boundaries meet in a point: one entity of each. Several contacts may be at
+/// one place.
+struct Contact {
+  PerOperand<Entity> on;
+  PointId point;
+  PlaceId place;
+};
+
+/// A segment between two neighbouring places in which two entities meet (face or edge each).
+struct SegmentRecord {
+  PlaceId place[2];                       ///< ascending
+  PerOperand<Entity> on;                  ///< the face or edge of each solid
+  PerOperand<std::array<Entity, 2>> end;  ///< at each place: the entity of the solid's closure
+};
 
 /// Where the two boundaries meet.
 struct Contacts {

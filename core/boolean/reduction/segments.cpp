@@ -20,11 +20,12 @@ using Where = Standing::Where;
 // The places on an edge, in the order of its even half-edge.
 class EdgeNodes {
  public:
-  EdgeNodes(const Workspace& w, int solid) : w_(w), solid_(solid) {
-    for (std::uint32_t i = 0; i < w.contacts.size(); ++i)
-      if (w.contacts[i].on[solid].is_edge()) order_.push_back(i);
-    const auto edge = [&](std::uint32_t i) { return w.contacts[i].on[solid].edge(); };
-    large_sort(order_, [&](std::uint32_t i, std::uint32_t j) {
+  EdgeNodes(const Workspace& w, const Contacts& found, Operand solid)
+      : w_(w), found_(found), solid_(solid) {
+    for (const ContactId i : found.contacts.ids())
+      if (found.contacts[i].on[solid].is_edge()) order_.push_back(i);
+    const auto edge = [&](ContactId i) { return found.contacts[i].on[solid].edge(); };
+    large_sort(order_, [&](ContactId i, ContactId j) {
       return edge(i) != edge(j) ? edge(i) < edge(j) : i < j;
     });
     for (std::size_t from = 0, to; from < order_.size(); from = to) {
@@ -35,12 +36,12 @@ class EdgeNodes {
 
   /// Indices of the contacts on an edge, but for some that are not in the box; those at one place
   /// are neighbours.
-  std::span<const std::uint32_t> near(EdgeId e, const Box& box) const {
-    const auto edge = [&](std::uint32_t i) { return w_.contacts[i].on[solid_].edge(); };
+  std::span<const ContactId> near(EdgeId e, const Box& box) const {
+    const auto edge = [&](ContactId i) { return found_.contacts[i].on[solid_].edge(); };
     const auto first = std::partition_point(order_.begin(), order_.end(),
-                                            [&](std::uint32_t i) { return edge(i) < e; });
+                                            [&](ContactId i) { return edge(i) < e; });
     const auto last =
-        std::partition_point(first, order_.end(), [&](std::uint32_t i) { return edge(i) == e; });
+        std::partition_point(first, order_.end(), [&](ContactId i) { return edge(i) == e; });
     return last - first < 2 ? std::span(first, last) : within(std::span(first, last), box);
   }
 
@@ -53,19 +54,17 @@ class EdgeNodes {
     const Sign along = w_.tests().compare(patch.brep.point_of(patch.brep.from(h)),
                                           patch.brep.point_of(patch.brep.to(h)), axis);
     std::sort(order_.begin() + static_cast<std::ptrdiff_t>(from),
-              order_.begin() + static_cast<std::ptrdiff_t>(to),
-              [&](std::uint32_t i, std::uint32_t j) {
-                const PlaceId p = w_.contacts[i].place, q = w_.contacts[j].place;
+              order_.begin() + static_cast<std::ptrdiff_t>(to), [&](ContactId i, ContactId j) {
+                const PlaceId p = found_.contacts[i].place, q = found_.contacts[j].place;
                 if (p == q) return i < j;
-                return w_.tests().compare(w_.point(p), w_.point(q), axis) == along;
+                return w_.tests().compare(found_.point(p), found_.point(q), axis) == along;
               });
   }
 
   // Rounding is monotonic: the rounded positions, too, are in order on each axis.
-  std::span<const std::uint32_t> within(std::span<const std::uint32_t> nodes,
-                                        const Box& box) const {
-    const auto position = [&](std::uint32_t i) -> const Vec3& {
-      return w_.geometry.position(w_.point(w_.contacts[i].place));
+  std::span<const ContactId> within(std::span<const ContactId> nodes, const Box& box) const {
+    const auto position = [&](ContactId i) -> const Vec3& {
+      return w_.geometry.position(found_.point(found_.contacts[i].place));
     };
     const Vec3 &from = position(nodes.front()), &to = position(nodes.back());
     int axis = 0;
@@ -74,11 +73,11 @@ class EdgeNodes {
           std::abs(component(to, axis) - component(from, axis)))
         axis = k;
     const bool ascending = component(from, axis) <= component(to, axis);
-    const auto precedes = [&](std::uint32_t i) {
+    const auto precedes = [&](ContactId i) {
       const double at = component(position(i), axis);
       return ascending ? at < box.low[axis] : at > box.high[axis];
     };
-    const auto follows_not = [&](std::uint32_t i) {
+    const auto follows_not = [&](ContactId i) {
       const double at = component(position(i), axis);
       return ascending ? at <= box.high[axis] : at >= box.low[axis];
     };
@@ -87,8 +86,9 @@ class EdgeNodes {
   }
 
   const Workspace& w_;
-  int solid_;
-  std::vector<std::uint32_t> order_;
+  const Contacts& found_;
+  Operand solid_;
+  std::vector<ContactId> order_;
 };
 
 void emit(std::vector<SegmentRecord>& out, SegmentRecord r) {
@@ -107,16 +107,16 @@ class CrossingFaces {
     // Something of a face's boundary at a place on the common line.
     struct Item {
       PlaceId place;
-      int solid;
+      Operand solid;
       BoundaryItem of;
       friend auto operator<=>(const Item&, const Item&) = default;
     };
     struct Point {
       PlaceId place;
-      std::span<const Item> items[2];
+      PerOperand<std::span<const Item>> items;
     };
     struct EdgeOnLine {
-      int solid;
+      Operand solid;
       HalfEdgeId h;
     };
     std::vector<Item> items;
@@ -125,24 +125,25 @@ class CrossingFaces {
     std::vector<BoundaryItem> bounds;
   };
 
-  CrossingFaces(const Workspace& w, const ContactTable& table, Scratch& scratch,
-                std::vector<SegmentRecord>& out)
-      : w_(w), kernel_(w.tests()), table_(table), scratch_(scratch), out_(out) {}
+  CrossingFaces(const Workspace& w, const Contacts& found, const ContactTable& table,
+                Scratch& scratch, std::vector<SegmentRecord>& out)
+      : w_(w), kernel_(w.tests()), found_(found), table_(table), scratch_(scratch), out_(out) {}
 
   void operator()(const PairOfFaces& pair) {
     pair_ = pair;
     scratch_.items.clear();
     scratch_.edges_on_line.clear();
-    gather(0);
-    gather(1);
+    gather(Operand::a);
+    gather(Operand::b);
     if (scratch_.items.empty()) return;
-    const PlaneId a = w_.patch[0].plane(pair.face[0]), b = w_.patch[1].plane(pair.face[1]);
+    const PlaneId a = w_.patch[Operand::a].plane(pair.face[Operand::a]),
+                  b = w_.patch[Operand::b].plane(pair.face[Operand::b]);
     line_ = kernel_.main_cross(a, b);
     if (!find_points()) return;
     if (add_items_within()) find_points();
     // n(a) × n(b), as seen in the plane of each.
-    direction_[0] = {b, Sign::positive};
-    direction_[1] = {a, Sign::negative};
+    direction_[Operand::a] = {b, Sign::positive};
+    direction_[Operand::b] = {a, Sign::negative};
     const auto& points = scratch_.points;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) between(points[i], points[i + 1]);
   }
@@ -152,24 +153,25 @@ class CrossingFaces {
   using Point = Scratch::Point;
   using EdgeOnLine = Scratch::EdgeOnLine;
 
-  void gather(int s) {
+  void gather(Operand s) {
     const Brep& brep = w_.patch[s].brep;
     for (const SidedHalfEdge& i : table_.meeting(pair_, s)) {
       if (i.from == Sign::zero && i.to == Sign::zero) scratch_.edges_on_line.push_back({s, i.h});
       const Entity piercer =
           i.from == Sign::zero ? Entity(brep.from(i.h)) : Entity(Brep::edge_of(i.h));
-      add(s, table_.find(s, piercer, pair_.face[1 - s]), i.h);
+      add(s, table_.find(s, piercer, pair_.face[other(s)]), i.h);
     }
   }
 
-  void add(int s, std::span<const Hit> hits, HalfEdgeId h) {
+  void add(Operand s, std::span<const Hit> hits, HalfEdgeId h) {
     if (hits.empty()) return;
-    const PlaceId place = w_.contacts[hits[0].contact].place;
+    const PlaceId place = found_.contacts[hits[0].contact].place;
     scratch_.items.push_back({place, s, {hits[0].piercer, h}});
     scratch_.bounds.clear();
     for (const Hit& hit : hits)
-      add_items(w_.patch[1 - s], pair_.face[1 - s], hit.found, scratch_.bounds);
-    for (const BoundaryItem& item : scratch_.bounds) scratch_.items.push_back({place, 1 - s, item});
+      add_items(w_.patch[other(s)], pair_.face[other(s)], hit.found, scratch_.bounds);
+    for (const BoundaryItem& item : scratch_.bounds)
+      scratch_.items.push_back({place, other(s), item});
   }
 
   bool precedes(PointId p, PointId q) const {
@@ -185,11 +187,12 @@ class CrossingFaces {
     points.clear();
     for (auto from = items.begin(), to = from; from != items.end(); from = to) {
       while (to != items.end() && to->place == from->place) ++to;
-      const auto second = std::find_if(from, to, [](const Item& i) { return i.solid == 1; });
-      points.push_back({from->place, {{from, second}, {second, to}}});
+      const auto second =
+          std::find_if(from, to, [](const Item& i) { return i.solid == Operand::b; });
+      points.push_back({from->place, {{{from, second}, {second, to}}}});
     }
     std::sort(points.begin(), points.end(), [&](const Point& p, const Point& q) {
-      return precedes(w_.point(p.place), w_.point(q.place));
+      return precedes(found_.point(p.place), found_.point(q.place));
     });
     return points.size() > 1;
   }
@@ -202,10 +205,10 @@ class CrossingFaces {
       const Brep& brep = w_.patch[e.solid].brep;
       PointId from = brep.point_of(brep.from(e.h)), to = brep.point_of(brep.to(e.h));
       if (!precedes(from, to)) std::swap(from, to);
-      auto p =
-          std::partition_point(scratch_.points.begin(), scratch_.points.end(),
-                               [&](const Point& i) { return !precedes(from, w_.point(i.place)); });
-      for (; p != scratch_.points.end() && precedes(w_.point(p->place), to); ++p)
+      auto p = std::partition_point(
+          scratch_.points.begin(), scratch_.points.end(),
+          [&](const Point& i) { return !precedes(from, found_.point(i.place)); });
+      for (; p != scratch_.points.end() && precedes(found_.point(p->place), to); ++p)
         within.push_back({p->place, e.solid, {Brep::edge_of(e.h), e.h}});
     }
     append(scratch_.items, within);
@@ -217,13 +220,13 @@ class CrossingFaces {
     record.place[0] = p.place;
     record.place[1] = q.place;
     // Beside one of the faces, the other one may end anywhere.
-    for (int s = 0; s < 2; ++s) {
+    for (const Operand s : both_operands) {
       const Standing from = stands(s, p, direction_[s]);
       if (from.where != Where::inside) return;
       record.on[s] = pair_.face[s];
       record.end[s][0] = from.entity;
     }
-    for (int s = 0; s < 2; ++s) {
+    for (const Operand s : both_operands) {
       const Standing to = stands(s, q, -direction_[s]);
       if (to.where != Where::inside)
         throw InternalError("a line leaves a face without crossing its boundary");
@@ -232,7 +235,7 @@ class CrossingFaces {
     emit(out_, record);
   }
 
-  Standing stands(int s, const Point& p, const Direction& direction) {
+  Standing stands(Operand s, const Point& p, const Direction& direction) {
     scratch_.bounds.clear();
     for (const Item& item : p.items[s]) scratch_.bounds.push_back(item.of);
     return standing(kernel_, w_.patch[s], pair_.face[s], scratch_.bounds, direction);
@@ -240,31 +243,32 @@ class CrossingFaces {
 
   const Workspace& w_;
   const Kernel& kernel_;
+  const Contacts& found_;
   const ContactTable& table_;
   Scratch& scratch_;
   std::vector<SegmentRecord>& out_;
   PairOfFaces pair_{};
   Kernel::AxisSign line_{};
-  Direction direction_[2];
+  PerOperand<Direction> direction_;
 };
 
 // An edge of solid s that lies in the plane of a face of the other solid.
 class EdgeInPlane {
  public:
-  EdgeInPlane(const Workspace& w, const ContactTable& table, const EdgeNodes& nodes, int s,
-              std::vector<SegmentRecord>& out)
-      : w_(w), kernel_(w.tests()), table_(table), nodes_(nodes), s_(s), out_(out) {}
+  EdgeInPlane(const Workspace& w, const Contacts& found, const ContactTable& table,
+              const EdgeNodes& nodes, Operand s, std::vector<SegmentRecord>& out)
+      : w_(w), kernel_(w.tests()), found_(found), table_(table), nodes_(nodes), s_(s), out_(out) {}
 
   void operator()(const InPlane& pair) {
-    const Patch& other = w_.patch[1 - s_];
+    const Patch& across = w_.patch[other(s_)];
     const HalfEdgeId h = Brep::half_edge(pair.edge);
-    const Direction along = direction_in(other.plane(pair.face), h);
+    const Direction along = direction_in(across.plane(pair.face), h);
     find_nodes(pair, h);
     Standing at{Where::outside, {}, {}};
     for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
       const auto& items = places_[i].items;
       if (!items.empty() || places_[i].inside)
-        at = standing(kernel_, other, pair.face, items, along);
+        at = standing(kernel_, across, pair.face, items, along);
       else
         at.entity = carrier(at, pair.face);
       if (at.where == Where::outside) continue;
@@ -272,12 +276,12 @@ class EdgeInPlane {
       record.place[0] = places_[i].place;
       record.place[1] = places_[i + 1].place;
       record.on[s_] = pair.edge;
-      record.on[1 - s_] = carrier(at, pair.face);
+      record.on[other(s_)] = carrier(at, pair.face);
       record.end[s_][0] = places_[i].mine;
       record.end[s_][1] = places_[i + 1].mine;
-      record.end[1 - s_][0] = at.entity;
+      record.end[other(s_)][0] = at.entity;
       if (at.where == Where::along) pass_through(places_[i + 1], at.half_edge);
-      record.end[1 - s_][1] = end_entity(places_[i + 1], at, pair.face, along);
+      record.end[other(s_)][1] = end_entity(places_[i + 1], at, pair.face, along);
       emit(out_, record);
     }
   }
@@ -305,14 +309,14 @@ class EdgeInPlane {
   void find_nodes(const InPlane& pair, HalfEdgeId h) {
     places_.clear();
     const Brep& brep = w_.patch[s_].brep;
-    const Patch& other = w_.patch[1 - s_];
-    const Box near = other.unbounded ? Box::everything() : other.face_boxes[pair.face.value()];
+    const Patch& across = w_.patch[other(s_)];
+    const Box near = across.unbounded ? Box::everything() : across.face_boxes[pair.face.value()];
     add_end(pair, brep.from(h));
-    for (const std::uint32_t i : nodes_.near(pair.edge, near)) {
-      const Contact& c = w_.contacts[i];
+    for (const ContactId i : nodes_.near(pair.edge, near)) {
+      const Contact& c = found_.contacts[i];
       if (places_.empty() || places_.back().place != c.place)
         places_.push_back({c.place, pair.edge, false, {}});
-      add(places_.back(), pair.face, c.on[1 - s_]);
+      add(places_.back(), pair.face, c.on[other(s_)]);
     }
     add_end(pair, brep.to(h));
   }
@@ -320,13 +324,13 @@ class EdgeInPlane {
   void add_end(const InPlane& pair, VertexId v) {
     const std::span<const Hit> hits = table_.find(s_, v, pair.face);
     if (hits.empty()) return;
-    places_.push_back({w_.contacts[hits[0].contact].place, v, false, {}});
+    places_.push_back({found_.contacts[hits[0].contact].place, v, false, {}});
     for (const Hit& hit : hits) add(places_.back(), pair.face, hit.found);
   }
 
   void add(Node& node, FaceId face, Entity entity) {
     if (entity == Entity(face)) node.inside = true;
-    add_items(w_.patch[1 - s_], face, entity, node.items);
+    add_items(w_.patch[other(s_)], face, entity, node.items);
     std::sort(node.items.begin(), node.items.end());
     node.items.erase(std::unique(node.items.begin(), node.items.end()), node.items.end());
   }
@@ -335,7 +339,7 @@ class EdgeInPlane {
   // touches itself with something else.
   void pass_through(Node& node, HalfEdgeId h) const {
     if (node.items.empty()) return;
-    const Brep& brep = w_.patch[1 - s_].brep;
+    const Brep& brep = w_.patch[other(s_)].brep;
     const Entity edge = Brep::edge_of(h), from = brep.from(h), to = brep.to(h);
     for (const BoundaryItem& item : node.items)
       if (item.entity == edge || item.entity == from || item.entity == to) return;
@@ -345,22 +349,24 @@ class EdgeInPlane {
 
   Entity end_entity(const Node& node, const Standing& at, FaceId face, Direction along) const {
     if (node.items.empty()) return carrier(at, face);
-    if (at.where == Where::along) return end_along(w_.patch[1 - s_].brep, at.half_edge, node.items);
-    return standing(kernel_, w_.patch[1 - s_], face, node.items, -along).entity;
+    if (at.where == Where::along)
+      return end_along(w_.patch[other(s_)].brep, at.half_edge, node.items);
+    return standing(kernel_, w_.patch[other(s_)], face, node.items, -along).entity;
   }
 
   const Workspace& w_;
   const Kernel& kernel_;
+  const Contacts& found_;
   const ContactTable& table_;
   const EdgeNodes& nodes_;
-  int s_;
+  Operand s_;
   std::vector<SegmentRecord>& out_;
   std::vector<Node> places_;
 };
 
 }  // namespace
 
-void find_segments(Workspace& w, const ContactTable& table) {
+void find_segments(const Workspace& w, const ContactTable& table, Contacts& found) {
   using Records = std::vector<SegmentRecord>;
   struct Output {
     Records records;
@@ -369,27 +375,27 @@ void find_segments(Workspace& w, const ContactTable& table) {
   for (const Output& o :
        collect<Output>(w, table.pairs.size(), 128, [&](std::size_t i, Output&out) {
          if (table.pairs[i].coplanar) return;
-         CrossingFaces(w, table, out.scratch, out.records)(table.pairs[i]);
+         CrossingFaces(w, found, table, out.scratch, out.records)(table.pairs[i]);
        }))
-    append(w.records, o.records);
-  for (int s = 0; s < 2; ++s) {
-    const EdgeNodes nodes(w, s);
+    append(found.segments, o.records);
+  for (const Operand s : both_operands) {
+    const EdgeNodes nodes(w, found, s);
     for (const Records& r :
          collect<Records>(w, table.in_plane[s].size(), 128, [&](std::size_t i, Records&out) {
-           EdgeInPlane(w, table, nodes, s, out)(table.in_plane[s][i]);
+           EdgeInPlane(w, found, table, nodes, s, out)(table.in_plane[s][i]);
          }))
-      append(w.records, r);
+      append(found.segments, r);
   }
 }
 
 Contacts reduce(Workspace& w, const FacePairs& candidates) {
-  const ContactTable table = find_contacts(w, candidates);
-  find_segments(w, table);
-  split_at_places(w);
-  if (add_crossings(w)) split_at_places(w);
-  add_touched_faces(w, table);
-  return {Table<ContactId, Contact>(std::move(w.contacts)), std::move(w.places),
-          std::move(w.records)};
+  Contacts found;
+  const ContactTable table = find_contacts(w, candidates, found);
+  find_segments(w, table, found);
+  split_at_places(w, found);
+  if (add_crossings(w, found)) split_at_places(w, found);
+  add_touched_faces(w, table, found);
+  return found;
 }
 
 }  // namespace sectile

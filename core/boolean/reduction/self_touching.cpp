@@ -15,9 +15,10 @@ namespace {
 // The segments of edges of solid s in faces of the other one, by these faces.
 class EdgesInFaces {
  public:
-  EdgesInFaces(const Workspace& w, int s) : w_(w), s_(s) {
-    for (std::uint32_t i = 0; i < w.records.size(); ++i)
-      if (w.records[i].on[s].is_edge() && w.records[i].on[1 - s].is_face()) order_.push_back(i);
+  EdgesInFaces(const Workspace& w, const Contacts& found, Operand s) : w_(w), found_(found), s_(s) {
+    for (std::uint32_t i = 0; i < found.segments.size(); ++i)
+      if (found.segments[i].on[s].is_edge() && found.segments[i].on[other(s)].is_face())
+        order_.push_back(i);
     std::stable_sort(order_.begin(), order_.end(),
                      [&](std::uint32_t i, std::uint32_t j) { return face(i) < face(j); });
     for (std::uint32_t from = 0, to; from < order_.size(); from = to) {
@@ -46,31 +47,33 @@ class EdgesInFaces {
     BoxTree tree;
   };
 
-  FaceId face(std::uint32_t record) const { return w_.records[record].on[1 - s_].face(); }
+  FaceId face(std::uint32_t record) const { return found_.segments[record].on[other(s_)].face(); }
   Box box(std::uint32_t record) const {
     Bounds bounds;
-    for (const PlaceId place : w_.records[record].place)
-      bounds.add(w_.geometry.position(w_.point(place)));
+    for (const PlaceId place : found_.segments[record].place)
+      bounds.add(w_.geometry.position(found_.point(place)));
     return bounds.box();
   }
 
   const Workspace& w_;
-  int s_;
+  const Contacts& found_;
+  Operand s_;
   std::vector<std::uint32_t> order_;
   std::vector<Group> groups_;
 };
 
 class TouchedFaces {
  public:
-  TouchedFaces(const Workspace& w, int s) : w_(w), kernel_(w.tests()), s_(s), edges_(w, s) {}
+  TouchedFaces(const Workspace& w, const Contacts& found, Operand s)
+      : w_(w), kernel_(w.tests()), found_(found), s_(s), edges_(w, found, s) {}
 
   void operator()(const PairOfFaces& pair, std::vector<SegmentRecord>& out) const {
     if (patch().unbounded) return;
-    const FaceId mine = pair.face[s_], other = pair.face[1 - s_];
+    const FaceId mine = pair.face[s_], across = pair.face[other(s_)];
     std::vector<std::uint32_t> near;
-    edges_.find(other, patch().face_boxes[mine.value()], near);
+    edges_.find(across, patch().face_boxes[mine.value()], near);
     for (const std::uint32_t r : near)
-      if (!borders(w_.records[r].on[s_].edge(), mine)) add(w_.records[r], mine, out);
+      if (!borders(found_.segments[r].on[s_].edge(), mine)) add(found_.segments[r], mine, out);
   }
 
  private:
@@ -103,14 +106,14 @@ class TouchedFaces {
   Direction direction(const SegmentRecord& record, PlaneId plane) const {
     const auto [a, b] = line_planes(patch(), Brep::half_edge(record.on[s_].edge()));
     const PlaneId across = kernel_.parallel(plane, a) ? b : a;
-    return direction_between(kernel_, plane, across, w_.point(record.place[0]),
-                             w_.point(record.place[1]));
+    return direction_between(kernel_, plane, across, found_.point(record.place[0]),
+                             found_.point(record.place[1]));
   }
 
   // What the face's boundary has at a place; false if the place is outside of the face.
   bool find_items(PlaceId place, FaceId f, std::vector<BoundaryItem>& items) const {
     std::vector<Entity> found;
-    locate(kernel_, patch(), f, Probe(kernel_, w_.point(place)), found);
+    locate(kernel_, patch(), f, Probe(kernel_, found_.point(place)), found);
     items.clear();
     for (const Entity entity : found) add_items(patch(), f, entity, items);
     std::sort(items.begin(), items.end());
@@ -119,26 +122,27 @@ class TouchedFaces {
 
   const Workspace& w_;
   const Kernel& kernel_;
-  int s_;
+  const Contacts& found_;
+  Operand s_;
   EdgesInFaces edges_;
 };
 
 }  // namespace
 
-void add_touched_faces(Workspace& w, const ContactTable& table) {
+void add_touched_faces(const Workspace& w, const ContactTable& table, Contacts& found) {
   using Records = std::vector<SegmentRecord>;
   std::vector<PairOfFaces> flush;
   for (const PairOfFaces& pair : table.pairs)
     if (pair.coplanar) flush.push_back(pair);
   if (flush.empty()) return;
-  Records found;
-  for (int s = 0; s < 2; ++s) {
-    const TouchedFaces touched(w, s);
+  Records more;
+  for (const Operand s : both_operands) {
+    const TouchedFaces touched(w, found, s);
     for (const Records& r : collect<Records>(
              w, flush.size(), 64, [&](std::size_t i, Records&out) { touched(flush[i], out); }))
-      append(found, r);
+      append(more, r);
   }
-  append(w.records, found);
+  append(found.segments, more);
 }
 
 }  // namespace sectile

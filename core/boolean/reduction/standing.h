@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "boolean/direction.h"
+#include "boolean/entity.h"
 #include "boolean/workspace.h"
 
 namespace sectile {
