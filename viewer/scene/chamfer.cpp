@@ -48,8 +48,12 @@ ChamferEdge chamfer_edge(const SnapTargets& solid, std::size_t index) {
     throw std::invalid_argument("Only edges between two faces can be chamfered.");
   const glm::dvec3 first = tidy(to_glm(beside[0]->normal)),
                    second = tidy(to_glm(beside[1]->normal));
-  const glm::dvec3 middle = 0.5 * (to_glm(beside[0]->low) + to_glm(beside[0]->high));
-  if (glm::dot(middle - to_glm(edge.from), second) >= 0)
+  // A face with corners that go inwards may lie on both sides of the other one's plane.
+  const auto reaches_over = [&](const SnapFeatures::Face& face, const glm::dvec3& normal) {
+    const glm::dvec3 middle = 0.5 * (to_glm(face.low) + to_glm(face.high));
+    return glm::dot(middle - to_glm(edge.from), normal) >= 0;
+  };
+  if (reaches_over(*beside[0], second) && reaches_over(*beside[1], first))
     throw std::invalid_argument("This edge goes inwards: there is nothing to cut off.");
   return {edge.from, edge.to, from_glm(first), from_glm(second)};
 }
