@@ -250,8 +250,9 @@ TEST(SelfTest, WhoPromisesIsNotChecked) {
   PolygonMesh mesh;
   add_cube(mesh, 0, 1, 0, false);
   add_cube(mesh, 3, 4, 0, false);
-  EXPECT_EQ(Solid::from_mesh(mesh, {.trusted = true, .cancel = nullptr, .progress = {}}),
-            Solid::from_mesh(mesh));
+  ImportOptions promised;
+  promised.trusted = true;
+  EXPECT_EQ(Solid::from_mesh(mesh, promised), Solid::from_mesh(mesh));
   add_cube(mesh, 3.5, 4.5, 0, false);
   EXPECT_THROW(Solid::from_mesh(mesh), InvalidSolid);
 }
@@ -259,14 +260,17 @@ TEST(SelfTest, WhoPromisesIsNotChecked) {
 TEST(SelfTest, CanBeCancelledAndTellsHowFarItIs) {
   const PolygonMesh mesh = sphere(1, 200, 100).to_mesh();
   std::atomic<bool> cancel{true};
-  EXPECT_THROW(Solid::from_mesh(mesh, {.trusted = false, .cancel = &cancel, .progress = {}}),
-               Cancelled);
+  ImportOptions cancelled;
+  cancelled.cancel = &cancel;
+  EXPECT_THROW(Solid::from_mesh(mesh, cancelled), Cancelled);
   std::atomic<int> calls{0};
   std::atomic<bool> whole{false};
-  Solid::from_mesh(mesh, {.trusted = false, .cancel = nullptr, .progress = [&](double done) {
-                            ++calls;
-                            if (done == 1) whole = true;
-                          }});
+  ImportOptions told;
+  told.progress = [&](double done) {
+    ++calls;
+    if (done == 1) whole = true;
+  };
+  Solid::from_mesh(mesh, told);
   EXPECT_GT(calls, 1);
   EXPECT_TRUE(whole);
 }

@@ -2,6 +2,7 @@
 // made is counted on from there.
 #pragma once
 
+#include "boolean/entity.h"
 #include "boolean/workspace.h"
 #include "sectile/trace.h"
 
