@@ -37,6 +37,11 @@ std::optional<SelfContact> TrianglePairs::test(std::uint32_t s, std::uint32_t t)
         ++count;
       }
   if (count >= 2) return test_edge(s, t, shared);
+  const std::array<bool, 3> in_s{shared[0] >= 0, shared[1] >= 0, shared[2] >= 0};
+  // Most pairs are apart by one of the two planes, which doubles can tell.
+  if (clearly_on_one_side(t, in_s, surface_.plane[s]) ||
+      clearly_on_one_side(s, in_t, surface_.plane[t]))
+    return {};
   Signs sides_t, sides_s;
   for (std::size_t j = 0; j < 3; ++j)
     sides_t[j] = shared[j] >= 0 ? Sign::zero : kernel_.side(b[j], surface_.plane[s]);
@@ -46,6 +51,18 @@ std::optional<SelfContact> TrianglePairs::test(std::uint32_t s, std::uint32_t t)
     sides_s[i] = in_t[i] ? Sign::zero : kernel_.side(a[i], surface_.plane[t]);
   if (on_one_side(sides_s)) return {};
   return test_chords(s, sides_s, t, sides_t);
+}
+
+bool TrianglePairs::clearly_on_one_side(std::uint32_t t, const std::array<bool, 3>& on_it,
+                                        PlaneId plane) const {
+  Sign side = Sign::zero;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (on_it[k]) continue;
+    const Estimate value = kernel_.estimate(surface_.corners[t][k], plane);
+    if (!value.decided() || (side != Sign::zero && side != value.sign())) return false;
+    side = value.sign();
+  }
+  return true;
 }
 
 std::optional<SelfContact> TrianglePairs::test_edge(std::uint32_t s, std::uint32_t t,
