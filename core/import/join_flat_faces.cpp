@@ -173,9 +173,14 @@ class Joiner {
   }
   bool starts_at_corner(HalfEdgeId h) const { return !is_straight_[old_.from(h).value()]; }
 
+  void loses_corner(HalfEdgeId h) {
+    for (const FaceId set : {set_of(h), set_of(Brep::twin(h))}) has_changed_[set.value()] = 1;
+  }
+
   // A new edge is a path of old ones over straight vertices.
   void add_edges() {
     number_.resize(old_.half_edge_count());
+    has_changed_.assign(sets_.count(), 0);
     for (std::uint32_t i = 0; i < number_.size(); i += 2) {
       if (number_[i].valid() || !stays(HalfEdgeId(i))) continue;
       HalfEdgeId first{i};
@@ -187,6 +192,7 @@ class Joiner {
       HalfEdgeId last = first;
       for (HalfEdgeId h = first;; h = next_of(h)) {
         if (h != first && starts_at_corner(h)) break;
+        if (h != first) loses_corner(h);
         number_[h.value()] = forward;
         number_[Brep::twin(h).value()] = back;
         last = h;
@@ -229,7 +235,7 @@ class Joiner {
       const FaceSource source = old_.source[f];
       new_.source[set] = parts_[set]++ == 0 ? source : std::min(new_.source[set], source);
       const double here = size_of(old_.plane[f]);
-      if (here > size[set]) {
+      if (!(here <= size[set])) {  // also where doubles end
         size[set] = here;
         plane[set] = old_.plane[f];
       }
@@ -316,7 +322,7 @@ class Joiner {
   std::shared_ptr<const FacesAsRead> faces_as_read() const {
     std::vector<FaceSource> names;
     for (std::size_t set = 0; set < parts_.size(); ++set)
-      if (parts_[set] > 1) names.push_back(new_.source[set]);
+      if (parts_[set] > 1 || has_changed_[set]) names.push_back(new_.source[set]);
     std::sort(names.begin(), names.end());
     auto read = std::make_shared<FacesAsRead>();
     GeometryPicker picker(geometry_, read->geometry);
@@ -362,8 +368,9 @@ class Joiner {
   Brep& new_;
   std::vector<std::uint8_t> is_shared_, is_straight_;  // per old vertex
   std::vector<HalfEdgeId> number_;                     // per old half-edge: the new one
-  std::vector<HalfEdgeId> first_;     // per new half-edge: the first old one of its path
-  std::vector<std::uint32_t> parts_;  // per new face: the old ones in it
+  std::vector<HalfEdgeId> first_;          // per new half-edge: the first old one of its path
+  std::vector<std::uint32_t> parts_;       // per new face: the old ones in it
+  std::vector<std::uint8_t> has_changed_;  // per new face: corners in its edges are gone
 };
 
 }  // namespace

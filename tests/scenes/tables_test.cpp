@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "sectile/sectile.h"
@@ -38,11 +39,31 @@ Vec2 corner(int k, double size) {
   return {size * x[k % 8], size * x[(k + 6) % 8]};
 }
 
+// Half-planes between two faces of one plane are asked for, too: each face stays as it is.
+Solid with_each_face(const PolygonMesh& mesh) {
+  std::vector<std::uint32_t> each(mesh.face_sizes.size());
+  std::iota(each.begin(), each.end(), 0u);
+  ImportOptions options;
+  options.face_groups = each;
+  return Solid::from_mesh(mesh, options);
+}
+
 Solid solid_of(const Wedge& wedge, double size, double low, double high) {
-  Profile profile;
-  profile.outer.push_back({0, 0});
-  for (int k = 0; k <= wedge.width(); ++k) profile.outer.push_back(corner(wedge.from + k, size));
-  return transformed(extrude(profile, high - low), Transform::translation({0, 0, low}));
+  std::vector<Vec2> outline{{0, 0}};
+  for (int k = 0; k <= wedge.width(); ++k) outline.push_back(corner(wedge.from + k, size));
+  const auto n = static_cast<std::uint32_t>(outline.size());
+  PolygonMesh mesh;
+  for (const double z : {low, high})
+    for (const Vec2& p : outline) mesh.positions.push_back({p.x, p.y, z});
+  mesh.face_sizes = {n, n};
+  for (std::uint32_t i = n; i-- > 0;) mesh.indices.push_back(i);
+  for (std::uint32_t i = 0; i < n; ++i) mesh.indices.push_back(n + i);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    mesh.face_sizes.push_back(4);
+    mesh.indices.insert(mesh.indices.end(), {i, j, n + j, n + i});
+  }
+  return with_each_face(mesh);
 }
 Solid thin(const Wedge& wedge) {
   return solid_of(wedge, 4, 0, 1);
