@@ -80,9 +80,6 @@ void report(const std::string& command, const std::vector<std::string>& inputs,
   for (const Written& output : outputs)
     if (output.solid.is_empty())
       std::cerr << "sectile: " << name_of(output) << ": the result is empty\n";
-    else if (output.triangles == 0)
-      std::cerr << "sectile: " << name_of(output)
-                << ": the solid is too thin for the numbers of the file, which is empty\n";
   if (options.json) return;
   std::ostream& out = uses_standard_output(names) ? std::cerr : std::cout;
   for (const Written& output : outputs) out << in_words(output) << '\n';

@@ -40,7 +40,11 @@ class SolidWriter {
     if (options_.max_move) rounding.max_move = *options_.max_move;
     rounding.progress = [&](double done) { progress_.fraction(done); };
     try {
-      return rounded_mesh(solid, rounding);
+      RoundedMesh rounded = rounded_mesh(solid, rounding);
+      if (rounded.mesh.face_sizes.empty() && !solid.is_empty())
+        throw RoundingFailed("the solid is too thin for the numbers of the file, nothing is left",
+                             solid.to_mesh().positions.front());
+      return rounded;
     } catch (const RoundingFailed& error) {
       throw RoundingFailed(name + ": cannot be written: " + error.what(), error.where());
     }
