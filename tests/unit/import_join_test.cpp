@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numeric>
 #include <random>
 #include <set>
@@ -144,6 +145,27 @@ TEST(ImportJoin, TheMeshIsGivenBack) {
     const Transform stretch = Transform::scaling(by);
     EXPECT_EQ(triangles_in(transformed(solid, stretch).to_mesh(sources), source),
               triangles_in(transformed(mesh, stretch), itself));
+  }
+}
+
+// A cube whose top is halved: its front and back have a corner more, which goes with the halves.
+TEST(ImportJoin, TheMeshGivenBackIsClosedWhereANeighbourHasLostACorner) {
+  PolygonMesh mesh;
+  mesh.positions = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2},
+                    {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {1, 0, 2}, {1, 2, 2}};
+  mesh.face_sizes = {4, 4, 4, 5, 5, 4, 4};
+  mesh.indices = {0, 3, 2, 1, 4, 8, 9, 7, 8, 5, 6, 9, 0, 1, 5,
+                  8, 4, 2, 3, 7, 9, 6, 1, 2, 6, 5, 3, 0, 4, 7};
+  const Solid solid = legal(Solid::from_mesh(mesh));
+  EXPECT_EQ(solid.counts().faces, 6u);
+  EXPECT_EQ(solid.counts().vertices, 8u);
+  const PolygonMesh back = solid.to_mesh();
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (std::size_t i = 0; i < back.indices.size(); ++i)
+    ++edges[{back.indices[i], back.indices[i % 3 == 2 ? i - 2 : i + 1]}];
+  for (const auto& [edge, count] : edges) {
+    EXPECT_EQ(count, 1);
+    EXPECT_TRUE(edges.contains({edge.second, edge.first}));
   }
 }
 
