@@ -11,6 +11,7 @@
 
 #include "sectile/errors.h"
 #include "selftest/flat_block.h"
+#include "selftest/flat_neighbours.h"
 #include "selftest/node_labels.h"
 #include "selftest/triangle_hubs.h"
 #include "selftest/triangle_pair.h"
@@ -28,6 +29,7 @@ class Traversal {
         tree_(surface, kernel.geometry()),
         blocks_(surface, tree_, kernel),
         faces_(tree_, labels_of_faces()),
+        beside_(tree_, flat_neighbours(surface, kernel)),
         hubs_(surface, kernel.geometry()),
         fans_(tree_, hubs_.of_triangle()),
         settled_(tree_, labels_of_settled()),
@@ -115,7 +117,8 @@ class Traversal {
 
   // Is nothing to be tested between two nodes?
   bool known(std::size_t level, std::size_t a, std::size_t b) const {
-    return faces_.same(level, a, b) || fans_.same(level, a, b) || settled_.same(level, a, b);
+    return faces_.same(level, a, b) || fans_.same(level, a, b) || settled_.same(level, a, b) ||
+           faces_.same(level, a, beside_, b) || faces_.same(level, b, beside_, a);
   }
 
   std::vector<std::uint32_t> labels_of_settled() const {
@@ -162,7 +165,7 @@ class Traversal {
   const SelfTestControl& control_;
   TriangleTree tree_;
   FlatBlocks blocks_;
-  NodeLabels faces_;
+  NodeLabels faces_, beside_;
   TriangleHubs hubs_;
   NodeLabels fans_, settled_;
   TrianglePairs pairs_;

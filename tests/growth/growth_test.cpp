@@ -211,5 +211,12 @@ TEST(Growth, UnionOfTwoSpheres) {
             n_log_n);
 }
 
+TEST(Growth, OfAConeOnItsBase) {
+  const auto work = [](std::size_t sides) {
+    return [sides] { cone(1, 0, 1, static_cast<std::uint32_t>(sides)); };
+  };
+  EXPECT_LT(growth(work, 1000), n_log_n);
+}
+
 }  // namespace
 }  // namespace sectile

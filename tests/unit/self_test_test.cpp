@@ -294,6 +294,22 @@ TEST(SelfTest, SharpConesAreToldApartByDirections) {
   EXPECT_FALSE(accepted(mesh));
 }
 
+// A cone's sides meet its base in their own edges, but not everything does.
+TEST(SelfTest, WhatPiercesTheBaseOfAConeIsFound) {
+  const PolygonMesh standing = cone(1, 0, 1, 200).to_mesh();
+  EXPECT_TRUE(accepted(standing));
+  PolygonMesh pierced = standing;
+  const auto first = static_cast<std::uint32_t>(pierced.positions.size());
+  for (const Vec3& p :
+       {Vec3{0.3, 0.2, -0.1}, {0.31, 0.2, -0.1}, {0.3, 0.21, -0.1}, {0.3, 0.2, 0.1}})
+    pierced.positions.push_back(p);
+  add_triangle(pierced, first, first + 2, first + 1);
+  add_triangle(pierced, first, first + 1, first + 3);
+  add_triangle(pierced, first + 1, first + 2, first + 3);
+  add_triangle(pierced, first + 2, first, first + 3);
+  EXPECT_FALSE(accepted(pierced));
+}
+
 TEST(SelfTest, PolygonsThatPassThroughACornerOfTheirsAreNoFaces) {
   // The outer loop comes back through the corner (2, 0) onto its first edge and crosses there.
   Soup soup;
