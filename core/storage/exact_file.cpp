@@ -230,6 +230,8 @@ class Reader {
     const std::uint32_t points = begin("points");
     for (std::uint32_t n = 0; n < points; ++n) read_point(g, points);
     for (const PlaneDefinition& plane : g.planes) check(g, plane);
+    for (std::uint32_t p = 0; p < points; ++p)
+      if (g.is_constructed(PointId(p))) check(g, g.construction(PointId(p)));
   }
 
   void read_point(Geometry& g, std::uint32_t points) {
@@ -258,9 +260,18 @@ class Reader {
     if (plane.kind() == Kind::coefficients) return require(plane.a < g.coefficients.size());
     if (plane.kind() == Kind::exact_coefficients)
       return require(plane.a < g.exact_coefficients.size());
-    require(plane.a < g.positions.size() && plane.b < g.positions.size());
-    if (plane.kind() == Kind::three_points) require(plane.c < g.positions.size());
+    // Not constructed ones, which are made of planes: nothing may be made of itself.
+    const auto is_given = [&](std::uint32_t p) {
+      return p < g.positions.size() && !g.is_constructed(PointId(p));
+    };
+    require(is_given(plane.a) && is_given(plane.b));
+    if (plane.kind() == Kind::three_points) require(is_given(plane.c));
     if (plane.kind() == Kind::along_direction) require(plane.direction() < g.directions.size());
+  }
+
+  void check(const Geometry& g, const Construction& how) const {
+    for (const PointId p : {how.line_from, how.line_to})
+      if (p.valid() && g.is_constructed(p)) fail("a line does not run between given points");
   }
 
   // Returns whether there are any faces.
