@@ -22,8 +22,8 @@ using Cancel = const std::atomic<bool>*;
 using Tell = std::function<void(double)>;
 using Work = std::function<void(Cancel, Tell)>;
 
-// The work on two cores has twice the time of one.
-constexpr double allowed = 100;
+// On two cores twice the time of one, and twice that on a machine that others keep busy.
+constexpr double allowed = 200;
 
 // Cancels after each tenth of the time, and when each tenth is told.
 void expect_to_end_soon(const Work& work) {
