@@ -177,6 +177,7 @@ TEST(ThreeMf, SolidsComeInAsPartsWithNamesAndColoursAndGoOutWithThem) {
   const PolygonMesh box = block({0, 0, 0}, {1, 2, 3}).to_mesh();
   model.meshes = {{"Lid", box, MeshColour{200, 10, 30}}, {"", box}, {"Lid", box}};
   const fs::path in = folder() / "in.3mf", out = folder() / "out.3mf";
+  fs::remove(out);  // or the dialog asks whether to replace it
   write_model(in, model);
   AppDriver driver;
   driver.key('O', true);
