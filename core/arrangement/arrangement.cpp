@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "arrangement/boolean_tree.h"
 #include "arrangement/solids.h"
 #include "sectile/errors.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 using namespace arrangement;
 
-// All solids, arranged.
+// All solids, in one arrangement of their faces.
 class ManySolids {
  public:
   ManySolids(std::span<const Solid> solids, const ArrangementOptions& options)
@@ -29,16 +30,6 @@ class ManySolids {
       for (const auto& [operand, number] : winding)
         if (number != 1) throw InternalError("a solid goes around a point more than once");
     steering_.step(0.8);
-  }
-
-  template <class Covers>
-  Solid solid(const Covers& covers) const {
-    std::vector<std::uint8_t> in(cells_.winding.size());
-    for (std::size_t c = 0; c < in.size(); ++c) in[c] = covers(cells_.winding[c]);
-    Solid result(
-        solid_of(faces_, cells_, facets_, geometry_, kernel_, in, Merging::all, steering_));
-    steering_.step(1.0);
-    return result;
   }
 
   std::vector<SolidCell> cells() const {
@@ -77,23 +68,48 @@ class ManySolids {
 
 }  // namespace
 
+namespace {
+
+std::vector<Solid> not_empty(std::span<const Solid> solids) {
+  std::vector<Solid> result;
+  for (const Solid& s : solids)
+    if (!s.is_empty()) result.push_back(s);
+  return result;
+}
+
+Steering steering_of(const ArrangementOptions& options) {
+  return {options.cancel, options.progress};
+}
+
+}  // namespace
+
 Solid unite(std::span<const Solid> solids, const ArrangementOptions& options) {
-  return ManySolids(solids, options).solid([](const Winding& w) { return !w.empty(); });
+  return combine(not_empty(solids), Operation::unite, steering_of(options));
 }
 
 Solid intersect(std::span<const Solid> solids, const ArrangementOptions& options) {
-  const std::size_t all = solids.size();
-  if (all == 0) return Solid();
-  return ManySolids(solids, options).solid([all](const Winding& w) { return w.size() == all; });
+  const std::vector<Solid> all = not_empty(solids);
+  if (all.size() < solids.size()) return Solid();
+  return combine(all, Operation::intersect, steering_of(options));
 }
 
 Solid subtract(const Solid& solid, std::span<const Solid> others,
                const ArrangementOptions& options) {
-  std::vector<Solid> solids{solid};
-  solids.insert(solids.end(), others.begin(), others.end());
-  return ManySolids(solids, options).solid([](const Winding& w) {
-    return w.size() == 1 && w[0].first == 0;
-  });
+  if (solid.is_empty()) return Solid();
+  const Box& box = solid.data()->slot_tree().bounds();
+  std::vector<Solid> near = not_empty(others);
+  near.erase(
+      std::remove_if(near.begin(), near.end(),
+                     [&](const Solid& s) { return !s.data()->slot_tree().bounds().overlaps(box); }),
+      near.end());
+  if (near.empty()) return solid;
+  Steering steering = steering_of(options);
+  if (options.progress) steering.progress = [&](double done) { options.progress(0.9 * done); };
+  const Solid all = combine(near, Operation::unite, steering);
+  BooleanOptions how;
+  how.cancel = options.cancel;
+  if (options.progress) how.progress = [&](double done) { options.progress(0.9 + 0.1 * done); };
+  return boolean(solid, all, Operation::subtract, how);
 }
 
 std::vector<SolidCell> cells(std::span<const Solid> solids, const ArrangementOptions& options) {

@@ -99,5 +99,46 @@ TEST(Arrangement, SolidsThatWereTurned) {
   EXPECT_TRUE(unite(solids) == pairwise);
 }
 
+std::vector<Solid> random_spheres(unsigned seed, int count) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(0, 4);
+  const Solid ball = sphere(1, 12, 6);
+  std::vector<Solid> spheres;
+  for (int i = 0; i < count; ++i)
+    spheres.push_back(
+        transformed(ball, Transform::translation({place(random), place(random), place(random)})));
+  return spheres;
+}
+
+TEST(Arrangement, ManySpheresAreWhatPairwiseBooleansMake) {
+  const std::vector<Solid> spheres = random_spheres(3, 60);
+  Solid pairwise = spheres[0];
+  for (std::size_t i = 1; i < spheres.size(); ++i)
+    pairwise = boolean(pairwise, spheres[i], Operation::unite);
+  const Solid all = unite(spheres);
+  EXPECT_TRUE(all == pairwise);
+  EXPECT_TRUE(validate(all).empty());
+  double sum = 0;
+  for (const SolidCell& cell : cells(std::span(spheres).first(12))) sum += cell.solid.volume();
+  EXPECT_NEAR(sum, unite(std::span(spheres).first(12)).volume(), 1e-10);
+}
+
+TEST(Arrangement, EmptyAndFarOperands) {
+  const Solid cube = block({0, 0, 0}, {2, 2, 2}), far = block({5, 5, 5}, {6, 6, 6}),
+              corner = block({1, 1, 1}, {3, 3, 3});
+  const std::vector<Solid> with_empty{cube, Solid(), corner};
+  EXPECT_TRUE(unite(with_empty) == boolean(cube, corner, Operation::unite));
+  EXPECT_TRUE(intersect(with_empty).is_empty());
+  EXPECT_TRUE(intersect(std::vector<Solid>{cube, far, corner}).is_empty());
+  EXPECT_TRUE(intersect(std::vector<Solid>{cube, corner}) == block({1, 1, 1}, {2, 2, 2}));
+  EXPECT_TRUE(subtract(cube, std::vector<Solid>{far, Solid()}) == cube);
+  EXPECT_TRUE(subtract(cube, std::vector<Solid>{far, corner}) ==
+              boolean(cube, corner, Operation::subtract));
+  EXPECT_TRUE(subtract(Solid(), std::vector<Solid>{cube}).is_empty());
+  EXPECT_TRUE(unite({}).is_empty());
+  EXPECT_TRUE(intersect({}).is_empty());
+  EXPECT_TRUE(unite(std::vector<Solid>{far}) == far);
+}
+
 }  // namespace
 }  // namespace sectile

@@ -1,4 +1,4 @@
-// Any number of solids at once, in one arrangement of all their faces.
+// Any number of solids at once.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,9 @@ struct ArrangementOptions {
   std::function<void(double)> progress;       ///< called now and then with 0 … 1
 };
 
-/// The regularised union of all solids, exactly; empty if there are none.
+/// The regularised union of all solids, exactly; empty if there are none. A tree of Booleans of
+/// neighbours, on all cores: faces that nothing crosses are shared, and what lies inside of one
+/// solid does not meet the others. Where faces lie on each other, any of them gives its FaceSource.
 Solid unite(std::span<const Solid> solids, const ArrangementOptions& options = {});
 
 /// What all solids have in common, regularised; empty if there are none.
@@ -33,9 +35,9 @@ struct SolidCell {
   Solid solid;
 };
 
-/// All parts of space that are covered by different solids, one for each set of operands that
-/// occurs, ascending. Where two cells touch they have the same faces, edges and vertices, with the
-/// same FaceSource, turned around.
+/// All parts of space that are covered by different solids, from one arrangement of all faces: one
+/// for each set of operands that occurs, ascending. Where two cells touch they have the same faces,
+/// edges and vertices, with the same FaceSource, turned around.
 std::vector<SolidCell> cells(std::span<const Solid> solids, const ArrangementOptions& options = {});
 
 }  // namespace sectile
