@@ -7,21 +7,22 @@
 #include "import/brep_builder.h"
 #include "import/contacts.h"
 #include "import/diagnosis.h"
+#include "import/flat_edges.h"
 #include "import/join_flat_faces.h"
 #include "import/polygons.h"
 #include "import/shells.h"
 #include "sectile/errors.h"
 
 namespace sectile {
-namespace {
 
-// Each face has a plane of its own.
 void set_planes_and_sources(const Polygons& polygons, std::uint32_t origin, Brep& brep) {
   for (std::size_t f = 0; f < brep.face_count(); ++f) {
     brep.plane[f] = PlaneId(f);
     brep.source[f] = {origin, polygons.source[f]};
   }
 }
+
+namespace {
 
 // The next corner of the other face tells where it is beside the plane. It may also lie in the line
 // of the edge, though.
@@ -31,7 +32,8 @@ bool lies_flat(const Brep& brep, const Kernel& kernel, HalfEdgeId h) {
          kernel.parallel(brep.plane_of(h), brep.plane_of(back));
 }
 
-// Edges between coplanar faces need a plane that pins them down.
+}  // namespace
+
 void pin_flat_edges(Brep& brep, Geometry& geometry, const Kernel& kernel) {
   std::vector<std::uint8_t> flat(brep.edge_count(), 0);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, flat.size(), 2048), [&](const auto& range) {
@@ -61,8 +63,6 @@ void pin_flat_edges(Brep& brep, Geometry& geometry, const Kernel& kernel) {
         geometry.add_plane(PlaneDefinition::along_axis(from, to, kernel.main_axis(plane)));
   }
 }
-
-}  // namespace
 
 std::uint32_t new_origin() {
   static std::atomic<std::uint32_t> last{0};

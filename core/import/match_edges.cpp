@@ -9,6 +9,7 @@
 #include "geometry/around_line.h"
 #include "import/diagnosis.h"
 #include "import/edge_buckets.h"
+#include "import/flat_edges.h"
 #include "import/polygons.h"
 #include "sectile/errors.h"
 
@@ -39,6 +40,10 @@ class Matcher {
       return std::pair(a.low, a.entries[0].high) < std::pair(b.low, b.entries[0].high);
     });
   }
+
+  /// Is there nothing else?
+  bool all_plain() const { return lines_.empty(); }
+  std::vector<std::uint32_t> take() { return std::move(mate_); }
 
   /// The corners of half-edges of which more run one way than the other.
   std::vector<std::uint32_t> open_corners() const {
@@ -189,6 +194,13 @@ class Matcher {
 };
 
 }  // namespace
+
+std::vector<std::uint32_t> match_plain_edges(const Polygons& polygons, const Kernel& kernel) {
+  const std::vector<std::uint32_t> no_vertex;  // nothing is refused
+  Matcher matcher(polygons, kernel, no_vertex);
+  matcher.pair_plain();
+  return matcher.all_plain() ? matcher.take() : std::vector<std::uint32_t>();
+}
 
 std::vector<std::uint32_t> match_edges(Polygons& polygons, const Kernel& kernel,
                                        const std::vector<std::uint32_t>& input_vertex) {

@@ -139,6 +139,13 @@ void refuse_inside_out(std::uint32_t face) {
 
 }  // namespace
 
+std::vector<Sign> signs_of_volumes(const Brep& brep, const Geometry& geometry,
+                                   const Shells& shells) {
+  std::vector<Sign> signs;
+  for (const Enclosed& v : ShellVolumes(brep, geometry, shells).run()) signs.push_back(v.sign);
+  return signs;
+}
+
 void check_orientation(const SolidData& data, const Kernel& kernel) {
   const Shells shells = find_shells(data.brep());
   const std::vector<Enclosed> volumes = ShellVolumes(data.brep(), data.geometry(), shells).run();

@@ -6,7 +6,9 @@
 
 #include "arrangement/solids.h"
 #include "import/diagnosis.h"
+#include "import/flat_edges.h"
 #include "repair/borders.h"
+#include "repair/shells_alone.h"
 #include "repair/stitching.h"
 
 namespace sectile {
@@ -33,14 +35,22 @@ class Repairer {
     read(mesh_);
     if (options_.stitch > 0) stitch_borders();
     steering_.step(0.06);
-    close();
+    std::vector<std::uint32_t> mate = match_plain_edges(polygons_, *kernel_);
+    if (mate.empty()) close();
     steering_.step(0.1);
-    find_planes();
+    if (find_planes() || mate.empty()) mate = match_plain_edges(polygons_, *kernel_);
     if (polygons_.face_count() == 0) {
       note(Kind::removed_faces, faces, Vec3(), no_element);
       return Solid();
     }
     steering_.step(0.15);
+    origin_ = new_origin();
+    if (const auto simple =
+            shells_alone(polygons_, mate, geometry_, *kernel_, options_.rule, origin_, steering_)) {
+      note_faces(Kind::divided_faces, simple->divided);
+      note_faces(Kind::removed_faces, simple->removed);
+      return Solid(simple->data);
+    }
     return arranged();
   }
 
@@ -193,10 +203,11 @@ class Repairer {
     throw InvalidSolid(InvalidSolid::Reason::open, text + "; close them", report_.holes[0].face);
   }
 
-  void find_planes() {
+  // True if polygons were split.
+  bool find_planes() {
     const std::size_t before = polygons_.face_count();
     find_face_planes(polygons_, geometry_, *kernel_, CrossingFaces::split);
-    if (polygons_.face_count() == before) return;
+    if (polygons_.face_count() == before) return false;
     std::vector<std::uint32_t> pieces(mesh_.face_sizes.size() + report_.holes.size(), 0);
     for (const std::uint32_t source : polygons_.source) ++pieces[source];
     std::size_t count = 0;
@@ -206,16 +217,16 @@ class Repairer {
         ++count;
         first = std::min(first, f);
       }
-    if (count == 0) return;
+    if (count == 0) return true;
     const auto at = std::find(polygons_.source.begin(), polygons_.source.end(), first);
     note(Kind::split_polygons, count,
          corner(static_cast<std::size_t>(at - polygons_.source.begin())), first);
+    return true;
   }
 
   Facets facets() {
     Facets facets;
     const std::size_t count = polygons_.face_count();
-    origin_ = new_origin();
     facets.plane.resize(count);
     facets.source.resize(count);
     facets.operand.assign(count, 0);
@@ -250,6 +261,13 @@ class Repairer {
                                       arrangement::Merging::all, steering_);
     if (!data->empty()) data->origin = origin_;
     return Solid(std::move(data));
+  }
+
+  void note_faces(Kind kind, const std::vector<std::uint32_t>& faces) {
+    if (faces.empty()) return;
+    const std::uint32_t source = polygons_.source[faces.front()];
+    note(kind, faces.size(), corner(faces.front()),
+         source < mesh_.face_sizes.size() ? source : no_element);
   }
 
   void note_face(Kind kind, std::size_t count, const Facets& all, std::uint32_t f) {

@@ -3,6 +3,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
+#include <numeric>
+
 #include "search/face_tree.h"
 #include "search/morton.h"
 #include "storage/geometry_loader.h"
@@ -17,13 +19,12 @@ constexpr std::uint32_t none = 0xFFFFFFFFu;
 class Groups {
  public:
   explicit Groups(const PartToCut& part) : part_(part), of_face_(part.brep.face_count(), none) {
-    const std::vector<std::uint64_t> keys = sorted_keys();
+    const std::vector<std::uint32_t> most = most_faces();
     std::size_t corners = 0;
-    for (const std::uint64_t key : keys) {
-      const auto f = static_cast<std::uint32_t>(key);
+    for (const std::uint32_t f : faces_in_order()) {
       const std::size_t more = corners_of(FaceId(f));
-      if (faces_.empty() || faces_.size() - end_.back() >= faces_of_a_block ||
-          corners + more > corners_of_a_block) {
+      if (faces_.empty() || faces_.size() - end_.back() >= most[shell(f)] ||
+          shell(f) != shell(faces_.back().value()) || corners + more > corners_of_a_block) {
         end_.push_back(static_cast<std::uint32_t>(faces_.size()));
         corners = 0;
       }
@@ -46,6 +47,36 @@ class Groups {
     std::size_t corners = 0;
     for_each_in_face(part_.brep, f, [&](HalfEdgeId) { ++corners; });
     return corners;
+  }
+
+  std::uint32_t shell(std::uint32_t f) const { return part_.shell.empty() ? 0 : part_.shell[f]; }
+
+  std::vector<std::uint32_t> sizes_of_shells() const {
+    std::vector<std::uint32_t> size(1, 0);
+    for (const std::uint32_t s : part_.shell) {
+      if (s >= size.size()) size.resize(s + 1, 0);
+      ++size[s];
+    }
+    return size;
+  }
+
+  // A small shell stays in one block.
+  std::vector<std::uint32_t> most_faces() const {
+    std::vector<std::uint32_t> most = sizes_of_shells();
+    for (std::uint32_t& n : most)
+      if (n == 0 || n > most_faces_of_a_block) n = std::uint32_t(faces_of_a_block);
+    return most;
+  }
+
+  std::vector<std::uint32_t> faces_in_order() const {
+    const std::vector<std::uint64_t> keys = sorted_keys();
+    std::vector<std::uint32_t> at = sizes_of_shells(), faces(keys.size());
+    std::exclusive_scan(at.begin(), at.end(), at.begin(), 0u);
+    for (const std::uint64_t key : keys) {
+      const auto f = static_cast<std::uint32_t>(key);
+      faces[at[shell(f)]++] = f;
+    }
+    return faces;
   }
 
   std::vector<std::uint64_t> sorted_keys() const {

@@ -38,6 +38,9 @@ struct PartToCut {
   const Geometry& geometry;
   std::span<const BorderEdge> outside;
   Places places;
+  /// Per face: blocks have faces of one shell only, and those of shell 0 come first, then those of
+  /// shell 1 … Empty: blocks may have faces of any.
+  std::span<const std::uint32_t> shell = {};
 };
 
 struct CutPart {

@@ -296,6 +296,96 @@ TEST(RepairCases, ManySheetsAtALine) {
   EXPECT_EQ(r.solid.volume(), volume + (1 * -1 - -2 * 2) / 2.0);
 }
 
+PolygonMesh side_by_side(PolygonMesh a, const PolygonMesh& b) {
+  const auto first = static_cast<std::uint32_t>(a.positions.size());
+  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
+  a.face_sizes.insert(a.face_sizes.end(), b.face_sizes.begin(), b.face_sizes.end());
+  for (const std::uint32_t i : b.indices) a.indices.push_back(first + i);
+  return a;
+}
+
+PolygonMesh turned(PolygonMesh mesh) {
+  std::reverse(mesh.indices.begin(), mesh.indices.end());
+  std::reverse(mesh.face_sizes.begin(), mesh.face_sizes.end());
+  return mesh;
+}
+
+const RepairChange* change(const RepairReport& report, Kind kind) {
+  for (const RepairChange& c : report.changes)
+    if (c.kind == kind) return &c;
+  return nullptr;
+}
+
+// In meshes of shells that are solids, whose Booleans know what is right.
+class Shells : public testing::Test {
+ protected:
+  PolygonMesh a_ = sphere(1, 40, 20).to_mesh(),
+              b_ = transformed(sphere(1, 40, 20), Transform::translation({0.5, 0.31, 0.13}))
+                       .to_mesh();
+  Solid first_ = Solid::from_mesh(a_), second_ = Solid::from_mesh(b_);
+  RepairReport report_;
+
+  Solid repaired(const PolygonMesh& mesh, Rule rule) {
+    RepairOptions options;
+    options.rule = rule;
+    const Solid result = repair(mesh, options, &report_);
+    EXPECT_TRUE(validate(result).empty());
+    return result;
+  }
+};
+
+TEST_F(Shells, ThatCrossAreUnited) {
+  const PolygonMesh both = side_by_side(a_, b_);
+  const Solid all = boolean(first_, second_, Operation::unite);
+  for (const Rule rule : {Rule::positive, Rule::nonzero}) {
+    const Solid result = repaired(both, rule);
+    EXPECT_TRUE(result == all);
+    ASSERT_EQ(report_.changes.size(), 2u);
+    EXPECT_EQ(report_.changes[0].kind, Kind::divided_faces);
+    EXPECT_EQ(report_.changes[1].kind, Kind::removed_faces);
+    std::vector<FaceSource> sources;
+    result.to_mesh(sources);
+    std::vector<int> used(both.face_sizes.size(), 0);
+    for (const FaceSource& source : sources) {
+      EXPECT_EQ(source.solid, result.origin());
+      used.at(source.face) = 1;
+    }
+    EXPECT_EQ(std::count(used.begin(), used.end(), 0), std::ptrdiff_t(report_.changes[1].count));
+  }
+}
+
+TEST_F(Shells, CountOnceEachByTheRuleOdd) {
+  const Solid result = repaired(side_by_side(a_, b_), Rule::odd);
+  EXPECT_TRUE(result == boolean(boolean(first_, second_, Operation::unite),
+                                boolean(first_, second_, Operation::intersect),
+                                Operation::subtract));
+}
+
+TEST_F(Shells, OfWhichOneIsInsideOut) {
+  const PolygonMesh both = side_by_side(a_, turned(b_));
+  // They cross, so that neither is a part of its own.
+  EXPECT_TRUE(repaired(both, Rule::positive) == boolean(first_, second_, Operation::subtract));
+  EXPECT_EQ(change(report_, Kind::turned_parts), nullptr);
+}
+
+TEST_F(Shells, WithACavityThatAnotherOneReaches) {
+  const Solid hollow = boolean(first_, transformed(first_, Transform::scaling({0.75, 0.75, 0.75})),
+                               Operation::subtract);
+  const PolygonMesh mesh = hollow.to_mesh();
+  EXPECT_TRUE(repaired(side_by_side(mesh, b_), Rule::positive) ==
+              boolean(Solid::from_mesh(mesh), second_, Operation::unite));
+}
+
+TEST_F(Shells, ThatLieInEachOtherAndApart) {
+  PolygonMesh mesh = side_by_side(a_, b_);
+  const PolygonMesh inner = block({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}).to_mesh(),
+                    apart = block({5, 5, 5}, {6, 6, 6}).to_mesh();
+  mesh = side_by_side(side_by_side(mesh, inner), apart);
+  const Solid all = boolean(boolean(first_, second_, Operation::unite), block({5, 5, 5}, {6, 6, 6}),
+                            Operation::unite);
+  EXPECT_TRUE(repaired(mesh, Rule::positive) == all);
+}
+
 TEST(RepairCases, OddNeedsNoOrientation) {
   PolygonMesh mesh = Builder().box({0, 0, 0}, {2, 2, 2}).box({1, 1, 1}, {3, 3, 3}).mesh();
   RepairOptions options;
