@@ -76,9 +76,9 @@ class Loader {
   void add(const SolidData& solid, std::uint32_t operand) {
     GeometryLoader copy(solid.geometry(), geometry_, solid.geometry().positions.size());
     const Brep& brep = solid.brep();
-    for (std::size_t f = 0; f < brep.face_count(); ++f) {
-      if (f % 4096 == 0) steering_.check();
-      for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l.value()]) {
+    for (const FaceId f : brep.faces()) {
+      if (f.value() % 4096 == 0) steering_.check();
+      for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l]) {
         for_each_in_loop(brep, l, [&](HalfEdgeId h) {
           facets_.polygons.corners.push_back(copy.point(brep.point_of(brep.from(h))));
           const PlaneId extra = brep.extra_plane(Brep::edge_of(h));
@@ -91,7 +91,7 @@ class Loader {
       facets_.plane.push_back(copy.plane(brep.plane[f]));
       facets_.source.push_back(brep.source[f]);
       facets_.operand.push_back(operand);
-      facets_.polygons.end_face(static_cast<std::uint32_t>(f));
+      facets_.polygons.end_face(f.value());
     }
   }
 

@@ -37,9 +37,9 @@ class Builder {
     Brep& brep = data_->brep();
     build_brep(result_, mate_, brep);
     steering_.step(0.9);
-    for (std::size_t f = 0; f < brep.face_count(); ++f) {
-      brep.plane[f] = plane_[f];
-      brep.source[f] = source_[f];
+    for (const FaceId f : brep.faces()) {
+      brep.plane[f] = plane_[f.value()];
+      brep.source[f] = source_[f.value()];
     }
     find_seams();
     steering_.step(0.92);
@@ -165,7 +165,7 @@ class Builder {
   void pin(EdgeId e, std::uint32_t corner) {
     Brep& brep = data_->brep();
     if (brep.edge_plane.empty()) brep.edge_plane.resize(brep.edge_count());
-    PlaneId& plane = brep.edge_plane[e.value()];
+    PlaneId& plane = brep.edge_plane[e];
     for (const std::uint32_t c : {corner, mate_[corner]})
       if (faces_.across[old_[c]].valid() && !plane.valid() &&
           !kernel_.parallel(faces_.across[old_[c]], faces_.plane[face(c)]))

@@ -18,10 +18,10 @@ class PartBuilder {
 
   void add(FaceId f) {
     SurfacePart::Face& face = part_.faces.emplace_back();
-    face.source = brep_.source[f.value()];
+    face.source = brep_.source[f];
     double normal[3] = {0, 0, 0};
-    for (LoopId l = brep_.outer_loop[f.value()]; l.valid(); l = brep_.next_loop[l.value()]) {
-      if (!brep_.loop_half_edge[l.value()].valid()) continue;
+    for (LoopId l = brep_.outer_loop[f]; l.valid(); l = brep_.next_loop[l]) {
+      if (!brep_.loop_half_edge[l].valid()) continue;
       auto& loop = face.loops.emplace_back();
       for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
         const PointId p = brep_.point_of(brep_.from(h));

@@ -41,10 +41,9 @@ void locate(const Kernel& kernel, const Patch& patch, FaceId face, const Probe& 
     return;
   }
   const Brep& brep = patch.brep;
-  const LoopId outer = brep.outer_loop[face.value()];
-  const HalfEdgeId first = brep.loop_half_edge[outer.value()];
-  if (!brep.next_loop[outer.value()].valid() &&
-      brep.next_of(brep.next_of(brep.next_of(first))) == first) {
+  const LoopId outer = brep.outer_loop[face];
+  const HalfEdgeId first = brep.loop_half_edge[outer];
+  if (!brep.next_loop[outer].valid() && brep.next_of(brep.next_of(brep.next_of(first))) == first) {
     const Entity on = locate_in_triangle(kernel, patch, first, point);
     if (!on.is_nothing()) found.push_back(on);
     return;

@@ -88,30 +88,30 @@ class PartLoader {
   void keep_edge_plane(const Source& from, EdgeId made) {
     const PlaneId plane = solid_.slot(from.slot).block->brep.extra_plane(Brep::edge_of(from.h));
     if (!plane.valid()) return;
-    std::vector<PlaneId>& planes = patch_.brep.edge_plane;
+    Table<EdgeId, PlaneId>& planes = patch_.brep.edge_plane;
     planes.resize(made.value() + std::size_t(1));
     planes.back() = geometry(from.slot).plane(plane);
   }
 
   FaceId add_face(PlaneId plane, FaceSource source, FaceKind kind) {
     Brep& to = patch_.brep;
-    to.outer_loop.push_back(LoopId());
-    to.plane.push_back(plane);
-    to.source.push_back(source);
-    to.kind.push_back(kind);
+    to.outer_loop.add(LoopId());
+    to.plane.add(plane);
+    to.source.add(source);
+    to.kind.add(kind);
     return FaceId(to.face_count() - 1);
   }
 
   LoopId add_loop(FaceId face, LoopId& last) {
     Brep& to = patch_.brep;
     const LoopId loop(to.loop_count());
-    to.loop_half_edge.push_back(HalfEdgeId());
-    to.loop_face.push_back(face);
-    to.next_loop.push_back(LoopId());
+    to.loop_half_edge.add(HalfEdgeId());
+    to.loop_face.add(face);
+    to.next_loop.add(LoopId());
     if (last.valid())
-      to.next_loop[last.value()] = loop;
+      to.next_loop[last] = loop;
     else
-      to.outer_loop[face.value()] = loop;
+      to.outer_loop[face] = loop;
     last = loop;
     return loop;
   }
@@ -120,29 +120,29 @@ class PartLoader {
     const std::uint32_t slot = solid_.slot_of(f);
     const Slot& from = solid_.slot(slot);
     const Brep& brep = from.block->brep;
-    const std::uint32_t there = solid_.local(slot, f).value();
+    const FaceId there = solid_.local(slot, f);
     const FaceId mine = add_face(geometry(slot).plane(brep.plane[there], from.turned),
                                  brep.source[there], FaceKind::real);
     patch_.face_in_solid.push_back(f);
     LoopId last;
-    for (LoopId l = brep.outer_loop[there]; l.valid(); l = brep.next_loop[l.value()]) {
+    for (LoopId l = brep.outer_loop[there]; l.valid(); l = brep.next_loop[l]) {
       const LoopId loop = add_loop(mine, last);
       Brep& to = patch_.brep;
       HalfEdgeId before;
       for_each_in_loop(from, l, [&](HalfEdgeId h) {
         const HalfEdgeId here = local(slot, h);
         if (before.valid()) {
-          to.next[before.value()] = here;
-          to.prev[here.value()] = before;
+          to.next[before] = here;
+          to.prev[here] = before;
         } else {
-          to.loop_half_edge[loop.value()] = here;
+          to.loop_half_edge[loop] = here;
         }
-        to.loop[here.value()] = loop;
+        to.loop[here] = loop;
         before = here;
       });
-      const HalfEdgeId first = to.loop_half_edge[loop.value()];
-      to.next[before.value()] = first;
-      to.prev[first.value()] = before;
+      const HalfEdgeId first = to.loop_half_edge[loop];
+      to.next[before] = first;
+      to.prev[first] = before;
     }
   }
 
@@ -154,8 +154,8 @@ class PartLoader {
     patch_.half_edge_in_solid.resize(to.half_edge_count());
     patch_.side_plane.resize(to.half_edge_count());
     std::vector<HalfEdgeId> open;
-    for (std::size_t i = 0; i < to.half_edge_count(); ++i)
-      if (!to.loop[i].valid()) open.push_back(HalfEdgeId(i));
+    for (const HalfEdgeId h : to.half_edges())
+      if (!to.loop[h].valid()) open.push_back(h);
     for (const HalfEdgeId h : open) {
       const Source& from = source_[h.value()];
       patch_.half_edge_in_solid[h] = solid_.half_edge(from.slot, from.h);
@@ -163,37 +163,35 @@ class PartLoader {
       patch_.side_plane[Brep::twin(h)] = face_plane(from);
       HalfEdgeId after = Brep::twin(h);
       do after = Brep::twin(to.prev_of(after));
-      while (to.loop[after.value()].valid());
-      to.next[h.value()] = after;
-      to.prev[after.value()] = h;
+      while (to.loop[after].valid());
+      to.next[h] = after;
+      to.prev[after] = h;
     }
     for (const HalfEdgeId h : open) {
-      if (to.loop[h.value()].valid()) continue;
+      if (to.loop[h].valid()) continue;
       LoopId last;
       const FaceId rest = add_face(PlaneId(), FaceSource{}, FaceKind::rest);
       const LoopId loop = add_loop(rest, last);
-      to.loop_half_edge[loop.value()] = h;
-      for (HalfEdgeId i = h; !to.loop[i.value()].valid(); i = to.next_of(i))
-        to.loop[i.value()] = loop;
+      to.loop_half_edge[loop] = h;
+      for (HalfEdgeId i = h; !to.loop[i].valid(); i = to.next_of(i)) to.loop[i] = loop;
     }
   }
 
   void make_vertices() {
     Brep& to = patch_.brep;
-    for (std::size_t i = 0; i < to.half_edge_count(); ++i) {
-      if (to.origin[i].valid()) continue;
-      const HalfEdgeId first{i};
+    for (const HalfEdgeId first : to.half_edges()) {
+      if (to.origin[first].valid()) continue;
       const VertexId v(to.vertex_count());
-      const Source& from = source_[i];
+      const Source& from = source_[first.value()];
       const Slot& slot = solid_.slot(from.slot);
       const VertexId there = slot.from(from.h);
       patch_.vertex_in_solid.push_back(VertexId(solid_.base(from.slot) + there.value()));
-      to.point.push_back(geometry(from.slot).point(slot.block->brep.point_of(there)));
-      to.vertex_half_edge.push_back(first);
+      to.point.add(geometry(from.slot).point(slot.block->brep.point_of(there)));
+      to.vertex_half_edge.add(first);
       HalfEdgeId h = first;
       do {
-        to.origin[h.value()] = v;
-        if (to.kind[to.face_of(h).value()] == FaceKind::real) to.vertex_half_edge.back() = h;
+        to.origin[h] = v;
+        if (to.kind[to.face_of(h)] == FaceKind::real) to.vertex_half_edge.back() = h;
         h = to.around(h);
       } while (h != first);
     }
@@ -234,10 +232,10 @@ PointId load_point(const Geometry& from, PointId point, Geometry& to) {
 
 Patch half_space_patch(PlaneId plane, FaceSource source) {
   Patch patch;
-  patch.brep.outer_loop.push_back(LoopId());
-  patch.brep.plane.push_back(plane);
-  patch.brep.source.push_back(source);
-  patch.brep.kind.push_back(FaceKind::real);
+  patch.brep.outer_loop.add(LoopId());
+  patch.brep.plane.add(plane);
+  patch.brep.source.add(source);
+  patch.brep.kind.add(FaceKind::real);
   patch.face_in_solid.push_back(FaceId());
   patch.loaded_faces = 1;
   patch.whole = true;
@@ -260,7 +258,7 @@ PlaneId pinning_plane(Patch& patch, EdgeId e, Geometry& geometry, const Kernel& 
   const int axis = kernel.main_axis(patch.plane(face));
   const PlaneId made = geometry.add_plane(PlaneDefinition::along_axis(from, to, axis));
   if (brep.edge_plane.empty()) brep.edge_plane.resize(brep.edge_count());
-  return brep.edge_plane[e.value()] = made;
+  return brep.edge_plane[e] = made;
 }
 
 void find_sides(Patch& patch, Geometry& geometry, const Kernel& kernel) {

@@ -45,8 +45,8 @@ struct Patch {
   /// Room for this many more edges, and as many loops, faces and vertices.
   void reserve(std::size_t more_edges);
 
-  bool is_real(FaceId f) const { return brep.kind[f.value()] == FaceKind::real; }
-  PlaneId plane(FaceId f) const { return brep.plane[f.value()]; }
+  bool is_real(FaceId f) const { return brep.kind[f] == FaceKind::real; }
+  PlaneId plane(FaceId f) const { return brep.plane[f]; }
   PlaneId side(HalfEdgeId h) const { return side_plane[h]; }
   bool is_flat(EdgeId e) const { return flat[e] != 0; }
   FaceId root_of(FaceId f) const { return root[f]; }
@@ -60,7 +60,7 @@ struct Patch {
     const FaceId f = brep.face_of(Brep::half_edge(e, 0));
     return is_real(f) ? f : brep.face_of(Brep::half_edge(e, 1));
   }
-  FaceId owner(VertexId v) const { return brep.face_of(brep.vertex_half_edge[v.value()]); }
+  FaceId owner(VertexId v) const { return brep.face_of(brep.vertex_half_edge[v]); }
 };
 
 /// Loads the given faces (ascending) of a solid; its points and planes are added to `geometry`.

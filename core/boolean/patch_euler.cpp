@@ -21,7 +21,7 @@ HalfEdgeId PatchEuler::grown(HalfEdgeId made, FaceId root, PlaneId side) {
 
 HalfEdgeId PatchEuler::divide(HalfEdgeId h, PointId point) {
   const VertexId vertex = euler_.semv(h, point);
-  const HalfEdgeId on = grown(patch_.brep.vertex_half_edge[vertex.value()]);
+  const HalfEdgeId on = grown(patch_.brep.vertex_half_edge[vertex]);
   patch_.side_plane[on] = patch_.side(h);
   patch_.side_plane[Brep::twin(on)] = patch_.side(Brep::twin(h));
   patch_.flat[Brep::edge_of(on)] = patch_.flat[Brep::edge_of(h)];

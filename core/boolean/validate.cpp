@@ -62,8 +62,8 @@ class Validator {
 
   void check_loops() {
     std::vector<PointId> points;
-    for (std::size_t f = 0; f < brep_.face_count(); ++f)
-      for (LoopId l = brep_.outer_loop[f]; l.valid(); l = brep_.next_loop[l.value()]) {
+    for (const FaceId f : brep_.faces())
+      for (LoopId l = brep_.outer_loop[f]; l.valid(); l = brep_.next_loop[l]) {
         points.clear();
         for_each_in_loop(brep_, l,
                          [&](HalfEdgeId h) { points.push_back(brep_.point_of(brep_.from(h))); });
@@ -71,9 +71,8 @@ class Validator {
         const bool left =
             points.size() > 2 && is_counter_clockwise(kernel_, brep_.plane[f], points);
         if (left != outer)
-          report(FaceId(f),
-                 outer ? "its outer loop is clockwise" : "an inner loop is counter-clockwise",
-                 position(brep_.loop_half_edge[l.value()]));
+          report(f, outer ? "its outer loop is clockwise" : "an inner loop is counter-clockwise",
+                 position(brep_.loop_half_edge[l]));
       }
   }
 
@@ -89,7 +88,7 @@ class Validator {
     for (const ShellSurroundings& s : shell_surroundings(data_, kernel_, find_shells(brep_)))
       if (s.material != 0)
         report(s.face, "its shell is not nested as those of a solid are",
-               position(brep_.loop_half_edge[brep_.outer_loop[s.face.value()].value()]));
+               position(brep_.loop_half_edge[brep_.outer_loop[s.face]]));
   }
 
   const SolidData& data_;

@@ -15,6 +15,7 @@
 
 #include "geometry/frame.h"
 #include "numbers/id.h"
+#include "numbers/table.h"
 #include "sectile/mesh.h"
 
 namespace sectile {
@@ -91,12 +92,12 @@ struct PlaneCoefficients {
 
 class Geometry {
  public:
-  std::vector<Vec3> positions;  ///< explicit: exact; others: rounded to nearest
+  Table<PointId, Vec3> positions;  ///< explicit: exact; others: rounded to nearest
   /// Per point: index into constructions; explicit_point; or moved_point and index into moved.
-  std::vector<std::uint32_t> construct;
+  Table<PointId, std::uint32_t> construct;
   std::vector<Construction> constructions;
   std::vector<MovedPoint> moved;
-  std::vector<PlaneDefinition> planes;
+  Table<PlaneId, PlaneDefinition> planes;
   std::vector<PlaneCoefficients> coefficients;
   // Shared between solids; equal ones are one object as far as is known.
   std::vector<std::shared_ptr<const Frame>> frames;
@@ -105,39 +106,31 @@ class Geometry {
 
   static constexpr std::uint32_t explicit_point = 0xFFFFFFFFu, moved_point = 0x80000000u;
 
-  bool is_explicit(PointId p) const { return construct[p.value()] == explicit_point; }
+  bool is_explicit(PointId p) const { return construct[p] == explicit_point; }
   bool is_moved(PointId p) const {
-    return !moved.empty() && construct[p.value()] - moved_point < moved.size();
+    return !moved.empty() && construct[p] - moved_point < moved.size();
   }
-  bool is_constructed(PointId p) const { return construct[p.value()] < moved_point; }
-  const MovedPoint& moved_point_of(PointId p) const {
-    return moved[construct[p.value()] - moved_point];
-  }
-  const Vec3& position(PointId p) const { return positions[p.value()]; }
-  const Construction& construction(PointId p) const { return constructions[construct[p.value()]]; }
-  const PlaneDefinition& definition(PlaneId s) const { return planes[s.value()]; }
+  bool is_constructed(PointId p) const { return construct[p] < moved_point; }
+  const MovedPoint& moved_point_of(PointId p) const { return moved[construct[p] - moved_point]; }
+  const Vec3& position(PointId p) const { return positions[p]; }
+  const Construction& construction(PointId p) const { return constructions[construct[p]]; }
+  const PlaneDefinition& definition(PlaneId s) const { return planes[s]; }
 
   PointId add_point(const Vec3& position) {
-    positions.push_back(position);
-    construct.push_back(explicit_point);
-    return PointId(positions.size() - 1);
+    construct.add(explicit_point);
+    return positions.add(position);
   }
   PointId add_point(const MovedPoint& how, const Vec3& rounded) {
-    positions.push_back(rounded);
-    construct.push_back(moved_point | static_cast<std::uint32_t>(moved.size()));
+    construct.add(moved_point | static_cast<std::uint32_t>(moved.size()));
     moved.push_back(how);
-    return PointId(positions.size() - 1);
+    return positions.add(rounded);
   }
   PointId add_point(const Construction& how, const Vec3& rounded) {
-    positions.push_back(rounded);
-    construct.push_back(static_cast<std::uint32_t>(constructions.size()));
+    construct.add(static_cast<std::uint32_t>(constructions.size()));
     constructions.push_back(how);
-    return PointId(positions.size() - 1);
+    return positions.add(rounded);
   }
-  PlaneId add_plane(const PlaneDefinition& definition) {
-    planes.push_back(definition);
-    return PlaneId(planes.size() - 1);
-  }
+  PlaneId add_plane(const PlaneDefinition& definition) { return planes.add(definition); }
   PlaneId add_plane(const PlaneCoefficients& plane) {
     coefficients.push_back(plane);
     return add_plane(

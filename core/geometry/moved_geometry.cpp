@@ -87,8 +87,8 @@ void GeometryMover::prepare(const Geometry& geometry) {
 
 void GeometryMover::move_given(const Vec3& local, const FramePointer& frame, PointId p,
                                Geometry& to) const {
-  Vec3& position = to.positions[p.value()];
-  std::uint32_t& how = to.construct[p.value()];
+  Vec3& position = to.positions[p];
+  std::uint32_t& how = to.construct[p];
   how = Geometry::explicit_point;
   if (!frame) {
     position = local;
@@ -174,9 +174,8 @@ Geometry GeometryMover::operator()(const Geometry& from) const {
   move_planes(from, to);
   if (to.constructions.empty()) return to;
   const Kernel kernel(to);
-  for (std::size_t p = 0; p < to.positions.size(); ++p)
-    if (to.is_constructed(PointId(p)))
-      to.positions[p] = kernel.construct(to.construction(PointId(p))).position;
+  for (const PointId p : to.positions.ids())
+    if (to.is_constructed(p)) to.positions[p] = kernel.construct(to.construction(p)).position;
   return to;
 }
 

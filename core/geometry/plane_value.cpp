@@ -194,10 +194,9 @@ PlaneValue plane_value(const Geometry& g, PlaneId plane) {
   const PlaneDefinition& s = g.definition(plane);
   if (s.kind() == Kind::coefficients) return with_coefficients(g.coefficients[s.a]);
   if (s.kind() == Kind::exact_coefficients) return with_coefficients(*g.exact_coefficients[s.a]);
-  const std::uint32_t c = s.kind() == Kind::three_points ? s.c : s.a;
-  const bool exact =
-      !g.is_moved(PointId(s.a)) && !g.is_moved(PointId(s.b)) && !g.is_moved(PointId(c));
-  const Points points{g.positions[s.a], g.positions[s.b], g.positions[c], exact};
+  const PointId a(s.a), b(s.b), c(s.kind() == Kind::three_points ? s.c : s.a);
+  const bool exact = !g.is_moved(a) && !g.is_moved(b) && !g.is_moved(c);
+  const Points points{g.position(a), g.position(b), g.position(c), exact};
   switch (s.kind()) {
     case Kind::three_points:
       return through_points(points);

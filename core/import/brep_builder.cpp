@@ -49,18 +49,20 @@ class BrepBuilder {
   }
 
   void add_face(FaceId f) {
-    const std::uint32_t first = polygons_.first_loop(f.value());
-    brep_.outer_loop[f.value()] = LoopId(first);
-    for (std::uint32_t l = first; l < polygons_.face_end[f.value()]; ++l) {
+    const std::uint32_t first = polygons_.first_loop(f.value()),
+                        last = polygons_.face_end[f.value()];
+    brep_.outer_loop[f] = LoopId(first);
+    for (const LoopId l : IdRange<LoopId>(LoopId(first), LoopId(last))) {
       brep_.loop_face[l] = f;
-      if (l + 1 < polygons_.face_end[f.value()]) brep_.next_loop[l] = LoopId(l + 1);
-      const std::uint32_t begin = polygons_.loop_begin(l), end = polygons_.loop_end[l];
+      if (l.value() + 1 < last) brep_.next_loop[l] = LoopId(l.value() + 1);
+      const std::uint32_t begin = polygons_.loop_begin(l.value()),
+                          end = polygons_.loop_end[l.value()];
       brep_.loop_half_edge[l] = half_edge_[begin];
       for (std::uint32_t i = begin; i < end; ++i) {
         const HalfEdgeId h = half_edge_[i], after = half_edge_[i + 1 < end ? i + 1 : begin];
-        brep_.next[h.value()] = after;
-        brep_.prev[after.value()] = h;
-        brep_.loop[h.value()] = LoopId(l);
+        brep_.next[h] = after;
+        brep_.prev[after] = h;
+        brep_.loop[h] = LoopId(l);
         start_[h.value()] = polygons_.corners[i];
       }
     }

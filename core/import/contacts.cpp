@@ -12,7 +12,7 @@ namespace sectile {
 namespace {
 
 Vec3 corner(const Brep& brep, const Geometry& geometry, FaceId f) {
-  const HalfEdgeId h = brep.loop_half_edge[brep.outer_loop[f.value()].value()];
+  const HalfEdgeId h = brep.loop_half_edge[brep.outer_loop[f]];
   return geometry.position(brep.point_of(brep.from(h)));
 }
 
@@ -60,8 +60,7 @@ void refuse_contacts(const Brep& brep, const Kernel& kernel, const ImportOptions
   std::vector<FaceContact> contacts;
   contacts.reserve(found.size());
   for (const FacePairContact& c : found) {
-    const std::uint32_t f = brep.source[c.first.value()].face,
-                        g = brep.source[c.second.value()].face;
+    const std::uint32_t f = brep.source[c.first].face, g = brep.source[c.second].face;
     const std::string faces = f == g ? "parts of face " + std::to_string(f)
                                      : "faces " + std::to_string(f) + " and " + std::to_string(g);
     contacts.push_back({f, g, c.where, faces + " " + in_words(c.kind)});

@@ -86,7 +86,7 @@ class PlaneFinder {
         const auto loop = polygons_.loop(polygons_.first_loop(f));
         const auto [a, b, c] =
             loop.size() == 3 ? std::array{loop[0], loop[1], loop[2]} : convex_corner(kernel_, loop);
-        geometry_.planes[f] = PlaneDefinition::through(a, b, c);
+        geometry_.planes[PlaneId(f)] = PlaneDefinition::through(a, b, c);
       }
     });
   }

@@ -16,11 +16,11 @@ class FaceTriangles {
 
   /// Calls visit(a, b, c) with the points of each triangle.
   template <class Visit>
-  void of(std::size_t face, Visit&& visit) {
+  void of(FaceId face, Visit&& visit) {
     corners_.clear();
     loop_ends_.clear();
     triangles_.clear();
-    for (LoopId l = brep_.outer_loop[face]; l.valid(); l = brep_.next_loop[l.value()]) {
+    for (LoopId l = brep_.outer_loop[face]; l.valid(); l = brep_.next_loop[l]) {
       for_each_in_loop(brep_, l,
                        [&](HalfEdgeId h) { corners_.push_back(brep_.point_of(brep_.from(h))); });
       loop_ends_.push_back(static_cast<std::uint32_t>(corners_.size()));

@@ -16,9 +16,9 @@
 namespace sectile {
 
 void set_planes_and_sources(const Polygons& polygons, std::uint32_t origin, Brep& brep) {
-  for (std::size_t f = 0; f < brep.face_count(); ++f) {
-    brep.plane[f] = PlaneId(f);
-    brep.source[f] = {origin, polygons.source[f]};
+  for (const FaceId f : brep.faces()) {
+    brep.plane[f] = PlaneId(f.value());
+    brep.source[f] = {origin, polygons.source[f.value()]};
   }
 }
 
@@ -42,14 +42,14 @@ void pin_flat_edges(Brep& brep, Geometry& geometry, const Kernel& kernel) {
       flat[e] = lies_flat(brep, kernel, h);
     }
   });
-  for (std::size_t e = 0; e < flat.size(); ++e) {
-    if (!flat[e]) continue;
-    const HalfEdgeId h = Brep::half_edge(EdgeId(e));
+  for (const EdgeId e : brep.edges()) {
+    if (!flat[e.value()]) continue;
+    const HalfEdgeId h = Brep::half_edge(e);
     const PlaneId plane = brep.plane_of(h);
     const PointId from = brep.point_of(brep.from(h)), to = brep.point_of(brep.to(h));
     if (!kernel.same_direction(plane, brep.plane_of(Brep::twin(h)))) {
-      const std::uint32_t f = brep.source[brep.face_of(h).value()].face;
-      const std::uint32_t g = brep.source[brep.face_of(Brep::twin(h)).value()].face;
+      const std::uint32_t f = brep.source[brep.face_of(h)].face;
+      const std::uint32_t g = brep.source[brep.face_of(Brep::twin(h))].face;
       throw InvalidSolid(InvalidSolid::Reason::self_intersecting,
                          "faces " + std::to_string(f) + " and " + std::to_string(g) +
                              " are folded onto each other along the edge from " +

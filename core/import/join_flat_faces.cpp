@@ -35,14 +35,12 @@ class FlatSets {
   /// Returns whether any faces are joined.
   bool find_sets(const std::vector<std::uint8_t>& is_shared) {
     std::vector<std::uint8_t> stays(brep_.face_count(), 0);
-    for (std::size_t i = 0; i < brep_.half_edge_count(); ++i)
-      if (is_shared[brep_.from(HalfEdgeId(i)).value()])
-        stays[brep_.face_of(HalfEdgeId(i)).value()] = 1;
+    for (const HalfEdgeId h : brep_.half_edges())
+      if (is_shared[brep_.from(h).value()]) stays[brep_.face_of(h).value()] = 1;
     bool any = false;
-    for (std::size_t e = 0; e < brep_.edge_count(); ++e) {
+    for (const EdgeId e : brep_.edges()) {
       if (!brep_.edge_plane[e].valid()) continue;
-      const FaceId f = brep_.face_of(Brep::half_edge(EdgeId(e))),
-                   g = brep_.face_of(Brep::half_edge(EdgeId(e), 1));
+      const FaceId f = brep_.face_of(Brep::half_edge(e)), g = brep_.face_of(Brep::half_edge(e, 1));
       if (stays[f.value()] || stays[g.value()] || group(f) != group(g)) continue;
       any = any || f != g;
       unite(f.value(), g.value());
@@ -57,7 +55,7 @@ class FlatSets {
 
  private:
   std::uint32_t group(FaceId f) const {
-    return groups_.empty() ? 0 : groups_[brep_.source[f.value()].face];
+    return groups_.empty() ? 0 : groups_[brep_.source[f].face];
   }
   std::uint32_t find(std::uint32_t f) {
     while (parent_[f] != f) f = parent_[f] = parent_[parent_[f]];
@@ -139,8 +137,8 @@ class Joiner {
     for (const PointId p : old_.point)
       seen[p.value()] = static_cast<std::uint8_t>(std::min(seen[p.value()] + 1, 2));
     is_shared_.resize(old_.vertex_count());
-    for (std::size_t v = 0; v < old_.vertex_count(); ++v)
-      is_shared_[v] = seen[old_.point[v].value()] > 1;
+    for (const VertexId v : old_.vertices())
+      is_shared_[v.value()] = seen[old_.point_of(v).value()] > 1;
   }
 
   FaceId set_of(HalfEdgeId h) const { return sets_[old_.face_of(h)]; }
@@ -160,15 +158,15 @@ class Joiner {
   // Between two edges in the line of the same two planes, where an edge has gone.
   void find_straight_vertices() {
     is_straight_.resize(old_.vertex_count());
-    for (std::size_t v = 0; v < old_.vertex_count(); ++v) {
-      if (is_shared_[v]) continue;
+    for (const VertexId v : old_.vertices()) {
+      if (is_shared_[v.value()]) continue;
       std::size_t left = 0, gone = 0;
       bool flat = false;
       for_each_around(old_, old_.vertex_half_edge[v], [&](HalfEdgeId h) {
         (stays(h) ? left : gone) += 1;
         flat = flat || (stays(h) && is_flat(h));
       });
-      is_straight_[v] = left == 2 && gone > 0 && !flat;
+      is_straight_[v.value()] = left == 2 && gone > 0 && !flat;
     }
   }
   bool starts_at_corner(HalfEdgeId h) const { return !is_straight_[old_.from(h).value()]; }
@@ -205,8 +203,8 @@ class Joiner {
     new_.loop.resize(count);
     for (std::uint32_t i = 0; i < count; ++i) {
       const HalfEdgeId last = Brep::twin(first_[i ^ 1u]), after = number_[next_of(last).value()];
-      new_.next[i] = after;
-      new_.prev[after.value()] = HalfEdgeId(i);
+      new_.next[HalfEdgeId(i)] = after;
+      new_.prev[after] = HalfEdgeId(i);
     }
   }
 
@@ -216,36 +214,36 @@ class Joiner {
       const VertexId v = old_.from(first_[i]);
       if (!number[v.value()].valid()) {
         number[v.value()] = VertexId(new_.vertex_count());
-        new_.point.push_back(picker_.point(old_.point_of(v)));
-        new_.vertex_half_edge.push_back(HalfEdgeId(i));
+        new_.point.add(picker_.point(old_.point_of(v)));
+        new_.vertex_half_edge.add(HalfEdgeId(i));
       }
-      new_.origin[i] = number[v.value()];
+      new_.origin[HalfEdgeId(i)] = number[v.value()];
     }
   }
 
   // The plane is that of the largest part: tests in doubles decide more there.
   void add_faces() {
-    std::vector<double> size(sets_.count(), -1);
+    Table<FaceId, double> size(sets_.count(), -1);
     new_.outer_loop.resize(sets_.count());
     new_.source.resize(sets_.count());
-    std::vector<PlaneId> plane(sets_.count());
+    Table<FaceId, PlaneId> plane(sets_.count());
     parts_.assign(sets_.count(), 0);
-    for (std::size_t f = 0; f < old_.face_count(); ++f) {
-      const std::size_t set = sets_[FaceId(f)].value();
+    for (const FaceId f : old_.faces()) {
+      const FaceId set = sets_[f];
       const FaceSource source = old_.source[f];
-      new_.source[set] = parts_[set]++ == 0 ? source : std::min(new_.source[set], source);
+      new_.source[set] = parts_[set.value()]++ == 0 ? source : std::min(new_.source[set], source);
       const double here = size_of(old_.plane[f]);
       if (!(here <= size[set])) {  // also where doubles end
         size[set] = here;
         plane[set] = old_.plane[f];
       }
     }
-    for (const PlaneId s : plane) new_.plane.push_back(picker_.plane(s));
+    for (const PlaneId s : plane) new_.plane.add(picker_.plane(s));
   }
   double size_of(PlaneId s) const {
     const PlaneDefinition& how = geometry_.definition(s);
-    const Vec3 &a = geometry_.positions[how.a], &b = geometry_.positions[how.b],
-               &c = geometry_.positions[how.c];
+    const Vec3 &a = geometry_.position(PointId(how.a)), &b = geometry_.position(PointId(how.b)),
+               &c = geometry_.position(PointId(how.c));
     const double u[3] = {b.x - a.x, b.y - a.y, b.z - a.z}, v[3] = {c.x - a.x, c.y - a.y, c.z - a.z};
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
@@ -259,14 +257,14 @@ class Joiner {
     std::vector<std::vector<LoopId>> several;  // the loops of faces with more than one
     std::vector<std::uint32_t> place(sets_.count(), none);
     for (std::uint32_t i = 0; i < first_.size(); ++i) {
-      if (new_.loop[i].valid()) continue;
+      if (new_.loop[HalfEdgeId(i)].valid()) continue;
       const LoopId loop(new_.loop_count());
       const FaceId face = set_of(first_[i]);
-      new_.loop_half_edge.push_back(HalfEdgeId(i));
-      new_.loop_face.push_back(face);
-      new_.next_loop.push_back(LoopId());
-      for_each_in_loop(new_, loop, [&](HalfEdgeId h) { new_.loop[h.value()] = loop; });
-      LoopId& outer = new_.outer_loop[face.value()];
+      new_.loop_half_edge.add(HalfEdgeId(i));
+      new_.loop_face.add(face);
+      new_.next_loop.add(LoopId());
+      for_each_in_loop(new_, loop, [&](HalfEdgeId h) { new_.loop[h] = loop; });
+      LoopId& outer = new_.outer_loop[face];
       if (!outer.valid()) {
         outer = loop;
         continue;
@@ -283,7 +281,7 @@ class Joiner {
 
   // The outer loop first.
   void chain(const std::vector<LoopId>& loops) {
-    const FaceId face = new_.loop_face[loops.front().value()];
+    const FaceId face = new_.loop_face[loops.front()];
     LoopId outer;
     for (const LoopId l : loops) {
       if (!is_outer(l)) continue;
@@ -291,16 +289,16 @@ class Joiner {
       outer = l;
     }
     if (!outer.valid()) throw InternalError("a joined face has no outer loop");
-    LoopId last = new_.outer_loop[face.value()] = outer;
+    LoopId last = new_.outer_loop[face] = outer;
     for (const LoopId l : loops)
-      if (l != outer) last = new_.next_loop[last.value()] = l;
+      if (l != outer) last = new_.next_loop[last] = l;
   }
   bool is_outer(LoopId loop) const {
     std::vector<PointId> corners;
     for_each_in_loop(new_, loop, [&](HalfEdgeId h) {
       corners.push_back(old_.point_of(old_.from(first_[h.value()])));
     });
-    const HalfEdgeId member = first_[new_.loop_half_edge[loop.value()].value()];
+    const HalfEdgeId member = first_[new_.loop_half_edge[loop].value()];
     const PlaneId plane = old_.plane_of(member);
     const int axis = kernel_.main_axis(plane);
     const FacePredicates exact(kernel_, axis, kernel_.normal(plane, axis) == Sign::negative,
@@ -310,10 +308,10 @@ class Joiner {
 
   void add_edge_planes() {
     for (std::uint32_t i = 0; i < first_.size(); i += 2) {
-      const PlaneId plane = old_.edge_plane[Brep::edge_of(first_[i]).value()];
+      const PlaneId plane = old_.edge_plane[Brep::edge_of(first_[i])];
       if (!plane.valid()) continue;
       if (new_.edge_plane.empty()) new_.edge_plane.resize(new_.edge_count());
-      new_.edge_plane[i / 2] = picker_.plane(plane);
+      new_.edge_plane[EdgeId(i / 2)] = picker_.plane(plane);
     }
   }
 
@@ -322,12 +320,12 @@ class Joiner {
   std::shared_ptr<const FacesAsRead> faces_as_read() const {
     std::vector<FaceSource> names;
     for (std::size_t set = 0; set < parts_.size(); ++set)
-      if (parts_[set] > 1 || has_changed_[set]) names.push_back(new_.source[set]);
+      if (parts_[set] > 1 || has_changed_[set]) names.push_back(new_.source[FaceId(set)]);
     std::sort(names.begin(), names.end());
     auto read = std::make_shared<FacesAsRead>();
     GeometryPicker picker(geometry_, read->geometry);
     for (std::size_t f = 0; f < old_.face_count(); ++f) {
-      const FaceSource name = new_.source[sets_[FaceId(f)].value()];
+      const FaceSource name = new_.source[sets_[FaceId(f)]];
       if (std::binary_search(names.begin(), names.end(), name))
         add_triangles(FaceId(f), name.face, picker, read->triangles);
     }
@@ -341,12 +339,12 @@ class Joiner {
                      std::vector<FacesAsRead::Triangle>& to) const {
     std::vector<PointId> corners;
     std::vector<std::uint32_t> loop_ends;
-    for (LoopId l = old_.outer_loop[f.value()]; l.valid(); l = old_.next_loop[l.value()]) {
+    for (LoopId l = old_.outer_loop[f]; l.valid(); l = old_.next_loop[l]) {
       for_each_in_loop(old_, l,
                        [&](HalfEdgeId h) { corners.push_back(old_.point_of(old_.from(h))); });
       loop_ends.push_back(static_cast<std::uint32_t>(corners.size()));
     }
-    const PlaneId plane = old_.plane[f.value()];
+    const PlaneId plane = old_.plane[f];
     const int axis = kernel_.main_axis(plane);
     const FacePredicates exact(kernel_, axis, kernel_.normal(plane, axis) == Sign::negative,
                                corners);
@@ -354,7 +352,7 @@ class Joiner {
     triangulate(exact, std::span<const std::uint32_t>(loop_ends), triangles);
     for (const auto& t : triangles)
       to.push_back({name,
-                    old_.source[f.value()].face,
+                    old_.source[f].face,
                     {picker.point(corners[t[0]]), picker.point(corners[t[1]]),
                      picker.point(corners[t[2]])}});
   }

@@ -145,7 +145,7 @@ Bounded volume_below(const Corner& a, const Corner& b, const Corner& c, double l
 Bounded volume_below_faces(const SolidData& solid, const Corners& corners, std::size_t from,
                            std::size_t to) {
   const Brep& brep = solid.brep();
-  const double level = corners.position(brep.point[0]).z;
+  const double level = corners.position(brep.point_of(VertexId(0))).z;
   VolumeBelow plain(level);
   Bounded others;
   for (std::size_t f = from; f < to; ++f)
@@ -204,9 +204,9 @@ Bounded area_of_face(const Brep& brep, FaceId f, const Corners& corners) {
 }
 
 bool is_triangle(const Brep& brep, FaceId f) {
-  const LoopId loop = brep.outer_loop[f.value()];
-  const HalfEdgeId h = brep.loop_half_edge[loop.value()];
-  return !brep.next_loop[loop.value()].valid() && brep.next_of(brep.next_of(h)) == brep.prev_of(h);
+  const LoopId loop = brep.outer_loop[f];
+  const HalfEdgeId h = brep.loop_half_edge[loop];
+  return !brep.next_loop[loop].valid() && brep.next_of(brep.next_of(h)) == brep.prev_of(h);
 }
 
 // Twice the area of some faces.

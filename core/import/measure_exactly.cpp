@@ -31,7 +31,7 @@ class Corners {
   }
 
   Corner operator()(PointId p) const {
-    if (geometry_.is_constructed(p)) return constructed_[geometry_.construct[p.value()]];
+    if (geometry_.is_constructed(p)) return constructed_[geometry_.construct[p]];
     const ExactPoint at = given_point<Dyadic>(geometry_, p);
     return {at.x[0], at.x[1], at.x[2]};
   }

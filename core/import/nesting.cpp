@@ -38,12 +38,12 @@ class LineThroughFace {
     std::vector<PointId> corners;
     std::vector<std::uint32_t> loop_ends;
     const Brep& brep = data_.brep();
-    for (LoopId l = brep.outer_loop[face_.value()]; l.valid(); l = brep.next_loop[l.value()]) {
+    for (LoopId l = brep.outer_loop[face_]; l.valid(); l = brep.next_loop[l]) {
       for_each_in_loop(brep, l,
                        [&](HalfEdgeId h) { corners.push_back(brep.point_of(brep.from(h))); });
       loop_ends.push_back(static_cast<std::uint32_t>(corners.size()));
     }
-    const PlaneId plane = brep.plane[face_.value()];
+    const PlaneId plane = brep.plane[face_];
     const int axis = kernel_.main_axis(plane);
     const FacePredicates exact(kernel_, axis, kernel_.normal(plane, axis) == Sign::negative,
                                corners);
@@ -138,7 +138,7 @@ class LineThroughFace {
   }
 
   Place place_on(FaceId f) const {
-    const ExactPlane& s = kernel_.exact(data_.brep().plane[f.value()]);
+    const ExactPlane& s = kernel_.exact(data_.brep().plane[f]);
     const Dyadic rest = s.n[1] * point_.x[1] + s.n[2] * point_.x[2] + s.d * point_.w;
     const bool positive = s.n[0].sign() == Sign::positive;
     return {positive ? -rest : rest, (positive ? s.n[0] : -s.n[0]) * point_.w};
@@ -175,10 +175,8 @@ class LineThroughFace {
   }
 
   void refuse_if_flush(FaceId one, FaceId other) const {
-    if (!kernel_.parallel(data_.brep().plane[one.value()], data_.brep().plane[other.value()]))
-      return;
-    const std::uint32_t f = data_.brep().source[one.value()].face,
-                        g = data_.brep().source[other.value()].face;
+    if (!kernel_.parallel(data_.brep().plane[one], data_.brep().plane[other])) return;
+    const std::uint32_t f = data_.brep().source[one].face, g = data_.brep().source[other].face;
     throw InvalidSolid(InvalidSolid::Reason::self_intersecting,
                        "faces " + std::to_string(f) + " and " + std::to_string(g) +
                            " lie on each other; remove them where they do, or make two solids and "
@@ -219,7 +217,7 @@ class Surroundings {
 
  private:
   std::uint32_t shell(FaceId f) const { return shells_.of_face[f.value()]; }
-  Sign normal(FaceId f) const { return kernel_.normal(data_.brep().plane[f.value()], 0); }
+  Sign normal(FaceId f) const { return kernel_.normal(data_.brep().plane[f], 0); }
 
   // The first of each shell that is not parallel to the line.
   void choose_faces() {

@@ -72,8 +72,8 @@ class ShellVolumes {
   // All loops as fans; the fans of inner loops take away.
   template <class Visit>
   void for_each_fan(FaceId f, const Visit& visit) const {
-    for (LoopId l = brep_.outer_loop[f.value()]; l.valid(); l = brep_.next_loop[l.value()]) {
-      const HalfEdgeId first = brep_.loop_half_edge[l.value()];
+    for (LoopId l = brep_.outer_loop[f]; l.valid(); l = brep_.next_loop[l]) {
+      const HalfEdgeId first = brep_.loop_half_edge[l];
       for (HalfEdgeId h = brep_.next_of(first); brep_.next_of(h) != first; h = brep_.next_of(h))
         visit(position(first), position(h), position(brep_.next_of(h)));
     }
@@ -150,7 +150,7 @@ void check_orientation(const SolidData& data, const Kernel& kernel) {
   const Shells shells = find_shells(data.brep());
   const std::vector<Enclosed> volumes = ShellVolumes(data.brep(), data.geometry(), shells).run();
   for (const Enclosed& v : volumes) {
-    const std::uint32_t face = data.brep().source[v.face].face;
+    const std::uint32_t face = data.brep().source[FaceId(v.face)].face;
     if (v.sign == Sign::zero)
       throw InvalidSolid(
           InvalidSolid::Reason::self_intersecting,
@@ -160,7 +160,7 @@ void check_orientation(const SolidData& data, const Kernel& kernel) {
   if (shells.count == 1) return;
   const std::vector<ShellSurroundings> around = shell_surroundings(data, kernel, shells);
   for (std::uint32_t s = 0; s < shells.count; ++s) {
-    const std::uint32_t face = data.brep().source[volumes[s].face].face;
+    const std::uint32_t face = data.brep().source[FaceId(volumes[s].face)].face;
     if (around[s].material < 0) refuse_inside_out(face);
     if (around[s].material > 0)
       throw InvalidSolid(

@@ -37,7 +37,7 @@ class MeshMaker {
   }
 
   PolygonMesh run() {
-    for (std::size_t f = 0; f < brep_.face_count(); ++f)
+    for (const FaceId f : brep_.faces())
       if (!read_ || read_->of(brep_.source[f].face).empty()) add_face(f);
     if (read_) add_what_was_read();
     return std::move(mesh_);
@@ -46,12 +46,12 @@ class MeshMaker {
  private:
   void place_what_was_read(const MovedSolid* moved) {
     if (!moved) {
-      places_ = read_->geometry.positions;
+      places_ = read_->geometry.positions.items();
       return;
     }
     GeometryMover mover(moved->frame());
     mover.prepare(read_->geometry);
-    places_ = mover(read_->geometry).positions;
+    places_ = std::move(mover(read_->geometry).positions.items());
     mirrored_ = moved->frame().determinant().sign() == Sign::negative;
   }
 
@@ -70,7 +70,7 @@ class MeshMaker {
     sources_.push_back(source);
   }
 
-  void add_face(std::size_t f) {
+  void add_face(FaceId f) {
     faces_.of(f, [&](PointId a, PointId b, PointId c) {
       add_triangle({vertex(a), vertex(b), vertex(c)}, brep_.source[f]);
     });

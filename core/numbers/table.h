@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,16 +16,24 @@ class IdRange {
  public:
   class Iterator {
    public:
+    using value_type = Id;
+    using difference_type = std::ptrdiff_t;
+    using reference = Id;
+    using pointer = const Id*;
+    using iterator_category = std::input_iterator_tag;
+
+    constexpr Iterator() = default;
     constexpr explicit Iterator(std::uint32_t at) : at_(at) {}
     constexpr Id operator*() const { return Id(at_); }
     constexpr Iterator& operator++() {
       ++at_;
       return *this;
     }
+    constexpr Iterator operator++(int) { return Iterator(at_++); }
     friend constexpr bool operator==(Iterator, Iterator) = default;
 
    private:
-    std::uint32_t at_;
+    std::uint32_t at_ = 0;
   };
 
   constexpr IdRange() = default;
@@ -79,6 +88,9 @@ class Table {
     const Id id = end_id();
     items_.push_back(std::move(item));
     return id;
+  }
+  void append(const Table& more) {
+    items_.insert(items_.end(), more.items_.begin(), more.items_.end());
   }
   T& back() { return items_.back(); }
   const T& back() const { return items_.back(); }

@@ -49,7 +49,7 @@ ExactMesh exact_mesh(const Solid& solid) {
     made.mesh.indices.push_back(n);
   };
   FaceTriangles faces(brep, geometry);
-  for (std::size_t f = 0; f < brep.face_count(); ++f)
+  for (const FaceId f : brep.faces())
     faces.of(f, [&](PointId a, PointId b, PointId c) {
       for (const PointId p : {a, b, c}) add_corner(p);
       made.mesh.face_sizes.push_back(3);

@@ -67,9 +67,9 @@ RoundedSurface::RoundedSurface(const SolidData& data, const RoundingGrid& grid,
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, surface.size(), 4096), [&](const auto& range) {
         for (std::size_t t = range.begin(); t < range.end(); ++t) {
-          source[t] = brep.source[surface.face[t]];
+          source[t] = brep.source[FaceId(surface.face[t])];
           const auto& c = surface.corners[t];
-          geometry.planes[t] = PlaneDefinition::through(c[0], c[1], c[2]);
+          geometry.planes[PlaneId(t)] = PlaneDefinition::through(c[0], c[1], c[2]);
           surface.plane[t] = PlaneId(t);
           surface.face[t] = static_cast<std::uint32_t>(t);
           const Corners& v = corners[t];

@@ -10,7 +10,7 @@ namespace sectile {
 Box face_box(const Brep& brep, const Geometry& geometry, FaceId face) {
   Bounds bounds;
   // The outer loop bounds the face.
-  const LoopId outer = brep.outer_loop[face.value()];
+  const LoopId outer = brep.outer_loop[face];
   for_each_in_loop(brep, outer, [&](HalfEdgeId h) {
     bounds.add(geometry.position(brep.point_of(brep.from(h))));
   });
@@ -50,7 +50,7 @@ bool is_slanted_needle(const Brep& brep, const Geometry& geometry, FaceId face) 
   Bounds bounds;
   double area = 0;
   int corner = 0;
-  for_each_in_loop(brep, brep.outer_loop[face.value()], [&](HalfEdgeId h) {
+  for_each_in_loop(brep, brep.outer_loop[face], [&](HalfEdgeId h) {
     const Vec3& p = geometry.position(brep.point_of(brep.from(h)));
     bounds.add(p);
     if (corner == 0) first = p;

@@ -115,7 +115,7 @@ std::vector<Box> direction_boxes(const Brep& brep, const Geometry& geometry, Poi
   boxes.reserve(faces.size());
   for (const FaceId f : faces) {
     Directions directions(geometry.position(hub));
-    for_each_in_loop(brep, brep.outer_loop[f.value()], [&](HalfEdgeId h) {
+    for_each_in_loop(brep, brep.outer_loop[f], [&](HalfEdgeId h) {
       const PointId p = brep.point_of(brep.from(h));
       if (p != hub) directions.add(geometry.position(p));
     });

@@ -87,7 +87,7 @@ bool apart(const Hull& a, const Hull& b) {
 Hull face_hull(const Brep& brep, const Geometry& geometry, FaceId face) {
   Vec3 few[4];
   std::size_t count = 0;
-  const LoopId outer = brep.outer_loop[face.value()];
+  const LoopId outer = brep.outer_loop[face];
   for_each_in_loop(brep, outer, [&](HalfEdgeId h) {
     if (count < 4) few[count] = geometry.position(brep.point_of(brep.from(h)));
     ++count;

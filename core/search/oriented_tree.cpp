@@ -9,7 +9,7 @@ OrientedTree::OrientedTree(const BoxTree& tree, const Brep& brep, const Geometry
     for (std::uint32_t i = 0; i < tree.node_count(level); ++i) {
       points.clear();
       for (const std::uint32_t f : tree.items({level, i}))
-        for_each_in_loop(brep, brep.outer_loop[f], [&](HalfEdgeId h) {
+        for_each_in_loop(brep, brep.outer_loop[FaceId(f)], [&](HalfEdgeId h) {
           points.push_back(geometry.position(brep.point_of(brep.from(h))));
         });
       levels_[level].push_back(OrientedBox(points));

@@ -18,9 +18,9 @@ constexpr std::uint32_t none = 0xFFFFFFFFu;
 constexpr std::size_t chunk = 1024;
 
 bool is_triangle(const Brep& brep, FaceId f) {
-  const LoopId outer = brep.outer_loop[f.value()];
-  const HalfEdgeId h = brep.loop_half_edge[outer.value()];
-  return !brep.next_loop[outer.value()].valid() && brep.next_of(brep.next_of(brep.next_of(h))) == h;
+  const LoopId outer = brep.outer_loop[f];
+  const HalfEdgeId h = brep.loop_half_edge[outer];
+  return !brep.next_loop[outer].valid() && brep.next_of(brep.next_of(brep.next_of(h))) == h;
 }
 
 // A solid whose faces are triangles, all of them.
@@ -33,12 +33,12 @@ TriangleSurface surface_of_triangles(const Brep& brep) {
   surface.mate.resize(count);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, chunk), [&](const auto& range) {
     for (std::size_t f = range.begin(); f < range.end(); ++f) {
-      HalfEdgeId h = brep.loop_half_edge[brep.outer_loop[f].value()];
+      HalfEdgeId h = brep.loop_half_edge[brep.outer_loop[FaceId(f)]];
       for (std::size_t k = 0; k < 3; ++k, h = brep.next_of(h)) {
         surface.corners[f][k] = brep.point_of(brep.from(h));
         surface.mate[f][k] = brep.face_of(Brep::twin(h)).value();
       }
-      surface.plane[f] = brep.plane[f];
+      surface.plane[f] = brep.plane[FaceId(f)];
       surface.face[f] = static_cast<std::uint32_t>(f);
     }
   });
@@ -65,8 +65,8 @@ class FaceTriangles {
   Shape run(FaceId face, std::vector<Triangle>& result) {
     face_ = face;
     read_loops();
-    axis_ = kernel_.main_axis(brep_.plane[face.value()]);
-    behind_ = kernel_.normal(brep_.plane[face.value()], axis_) == Sign::negative;
+    axis_ = kernel_.main_axis(brep_.plane[face]);
+    behind_ = kernel_.normal(brep_.plane[face], axis_) == Sign::negative;
     const bool simple = is_convex() || winds_once();
     numbers_.clear();
     const std::size_t before = result.size();
@@ -96,7 +96,7 @@ class FaceTriangles {
     half_edges_.clear();
     next_.clear();
     loop_ends_.clear();
-    for (LoopId l = brep_.outer_loop[face_.value()]; l.valid(); l = brep_.next_loop[l.value()]) {
+    for (LoopId l = brep_.outer_loop[face_]; l.valid(); l = brep_.next_loop[l]) {
       const auto begin = static_cast<std::uint32_t>(points_.size());
       for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
         points_.push_back(brep_.point_of(brep_.from(h)));
@@ -259,7 +259,7 @@ class SurfaceBuilder {
       first_of_face_[f] = part.first + t;
       for (; t < part.face_end[k]; ++t) {
         surface_.corners[part.first + t] = part.triangles[t].corners;
-        surface_.plane[part.first + t] = brep_.plane[f];
+        surface_.plane[part.first + t] = brep_.plane[FaceId(f)];
         surface_.face[part.first + t] = static_cast<std::uint32_t>(f);
         for (std::size_t e = 0; e < 3; ++e) {
           const HalfEdgeId h = part.triangles[t].half_edge[e];

@@ -96,9 +96,9 @@ Section section(const Solid& solid, const HalfSpace& half_space, const BooleanOp
   const Solid part = assemble(w, cut(w, pairs, {wanted}), below, 0);
   if (part.is_empty()) return result;
   const Brep& brep = part.data()->brep();
-  for (std::size_t f = 0; f < brep.face_count(); ++f) {
+  for (const FaceId f : brep.faces()) {
     if (brep.source[f].solid != origin) continue;
-    for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l.value()]) {
+    for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l]) {
       auto& loop = result.loops.emplace_back();
       for_each_in_loop(brep, l, [&](HalfEdgeId h) {
         loop.push_back(part.data()->geometry().position(brep.point_of(brep.from(h))));

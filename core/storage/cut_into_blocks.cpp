@@ -182,20 +182,19 @@ class Cutter {
   void add_faces(std::size_t g, Brep& to, GeometryLoader& geometry) const {
     for (const FaceId f : groups_[g]) {
       const FaceId mine(to.face_count());
-      to.plane.push_back(geometry.plane(brep_.plane[f.value()]));
-      to.source.push_back(brep_.source[f.value()]);
-      to.outer_loop.push_back(LoopId(to.loop_count()));
-      for (LoopId l = brep_.outer_loop[f.value()]; l.valid(); l = brep_.next_loop[l.value()]) {
+      to.plane.add(geometry.plane(brep_.plane[f]));
+      to.source.add(brep_.source[f]);
+      to.outer_loop.add(LoopId(to.loop_count()));
+      for (LoopId l = brep_.outer_loop[f]; l.valid(); l = brep_.next_loop[l]) {
         const LoopId loop(to.loop_count());
-        to.loop_face.push_back(mine);
-        to.loop_half_edge.push_back(local_[brep_.loop_half_edge[l.value()].value()]);
-        to.next_loop.push_back(brep_.next_loop[l.value()].valid() ? LoopId(loop.value() + 1)
-                                                                  : LoopId());
+        to.loop_face.add(mine);
+        to.loop_half_edge.add(local_[brep_.loop_half_edge[l].value()]);
+        to.next_loop.add(brep_.next_loop[l].valid() ? LoopId(loop.value() + 1) : LoopId());
         for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
           const HalfEdgeId here = local_[h.value()], after = local_[brep_.next_of(h).value()];
-          to.next[here.value()] = after;
-          to.prev[after.value()] = here;
-          to.loop[here.value()] = loop;
+          to.next[here] = after;
+          to.prev[after] = here;
+          to.loop[here] = loop;
         });
       }
     }
@@ -209,23 +208,25 @@ class Cutter {
       const HalfEdgeId here = local_[h.value()];
       if (known == IdMap::none) {
         known = static_cast<std::uint32_t>(to.vertex_count());
-        to.vertex_half_edge.push_back(here);
-        to.point.push_back(geometry.point(brep_.point_of(brep_.from(h))));
+        to.vertex_half_edge.add(here);
+        to.point.add(geometry.point(brep_.point_of(brep_.from(h))));
       }
-      to.origin[here.value()] = VertexId(known);
+      to.origin[here] = VertexId(known);
     });
-    for (std::uint32_t e = 0; e < block.border_count; ++e)
-      to.origin[2 * e + 1] = to.from(to.next_of(HalfEdgeId(2 * e)));
+    for (std::uint32_t e = 0; e < block.border_count; ++e) {
+      const HalfEdgeId h = Brep::half_edge(EdgeId(e));
+      to.origin[Brep::twin(h)] = to.from(to.next_of(h));
+    }
   }
 
   void add_edge_planes(std::size_t g, Brep& to, GeometryLoader& geometry) const {
     if (brep_.edge_plane.empty()) return;
     for_each_half_edge(g, [&](HalfEdgeId h) {
-      const PlaneId plane = brep_.edge_plane[Brep::edge_of(h).value()];
+      const PlaneId plane = brep_.edge_plane[Brep::edge_of(h)];
       const HalfEdgeId here = local_[h.value()];
       if (!plane.valid() || here.value() % 2 != 0) return;
       if (to.edge_plane.empty()) to.edge_plane.resize(to.edge_count());
-      to.edge_plane[Brep::edge_of(here).value()] = geometry.plane(plane);
+      to.edge_plane[Brep::edge_of(here)] = geometry.plane(plane);
     });
   }
 

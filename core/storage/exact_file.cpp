@@ -113,9 +113,9 @@ class Writer {
     begin("edge_planes", brep.edge_plane.size());
     for (const PlaneId s : brep.edge_plane) out_ << s.value() << '\n';
     begin("faces", brep.face_count());
-    for (std::size_t f = 0; f < brep.face_count(); ++f) {
+    for (const FaceId f : brep.faces()) {
       ids({brep.plane[f].value(), brep.source[f].solid, brep.source[f].face});
-      for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l.value()]) {
+      for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l]) {
         std::size_t corners = 0;
         for_each_in_loop(brep, l, [&](HalfEdgeId) { ++corners; });
         out_ << ' ' << corners;
@@ -138,7 +138,7 @@ class Reader {
     at_ += first_line.size();
     auto data = std::make_shared<SolidData>();
     read(data->geometry());
-    if (read(data->brep(), data->geometry())) data->origin = data->brep().source[0].solid;
+    if (read(data->brep(), data->geometry())) data->origin = data->brep().source[FaceId(0)].solid;
     data->cut();
     return Solid(std::shared_ptr<const SolidData>(std::move(data)));
   }
@@ -225,7 +225,7 @@ class Reader {
     }
     for (std::uint32_t n = begin("planes"); n > 0; --n) {
       const std::uint32_t a = id(), b = id();
-      g.planes.push_back({a, b, id()});
+      g.planes.add({a, b, id()});
     }
     const std::uint32_t points = begin("points");
     for (std::uint32_t n = 0; n < points; ++n) read_point(g, points);
@@ -277,21 +277,20 @@ class Reader {
   // Returns whether there are any faces.
   bool read(Brep& brep, const Geometry& g) {
     for (std::uint32_t n = begin("vertices"); n > 0; --n)
-      brep.point.push_back(PointId(id(g.positions.size())));
+      brep.point.add(PointId(id(g.positions.size())));
     const std::uint32_t half_edges = begin("half_edges");
     if (half_edges % 2 != 0) fail("half-edges come in pairs");
     for (std::uint32_t n = half_edges; n > 0; --n)
-      brep.origin.push_back(VertexId(id(brep.vertex_count())));
+      brep.origin.add(VertexId(id(brep.vertex_count())));
     const std::uint32_t pins = begin("edge_planes");
     if (pins != 0 && pins != half_edges / 2) fail("not all edges have a plane or none");
     for (std::uint32_t n = pins; n > 0; --n)
-      brep.edge_plane.push_back(PlaneId(id(g.planes.size(), true)));
+      brep.edge_plane.add(PlaneId(id(g.planes.size(), true)));
     brep.next.resize(half_edges);
     brep.prev.resize(half_edges);
     brep.loop.resize(half_edges);
     brep.vertex_half_edge.resize(brep.vertex_count());
-    for (std::uint32_t h = 0; h < half_edges; ++h)
-      brep.vertex_half_edge[brep.origin[h].value()] = HalfEdgeId(h);
+    for (const HalfEdgeId h : brep.half_edges()) brep.vertex_half_edge[brep.from(h)] = h;
     for (std::uint32_t n = begin("faces"); n > 0; --n) read_face(brep, g);
     for (const auto* links : {&brep.next, &brep.prev})
       for (const HalfEdgeId h : *links)
@@ -304,10 +303,10 @@ class Reader {
 
   void read_face(Brep& brep, const Geometry& g) {
     const FaceId face(brep.face_count());
-    brep.plane.push_back(PlaneId(id(g.planes.size())));
+    brep.plane.add(PlaneId(id(g.planes.size())));
     const std::uint32_t solid = id();
-    brep.source.push_back({solid, id()});
-    brep.outer_loop.push_back(LoopId(brep.loop_count()));
+    brep.source.add({solid, id()});
+    brep.outer_loop.add(LoopId(brep.loop_count()));
     for (std::uint32_t corners = id(), first = corners; corners > 0; corners = id(), first = 0) {
       if (first == 0) brep.next_loop.back() = LoopId(brep.loop_count());
       read_loop(brep, face, corners);
@@ -318,16 +317,16 @@ class Reader {
   void read_loop(Brep& brep, FaceId face, std::uint32_t corners) {
     const LoopId loop(brep.loop_count());
     const HalfEdgeId begin(id(brep.half_edge_count()));
-    brep.loop_half_edge.push_back(begin);
-    brep.loop_face.push_back(face);
-    brep.next_loop.push_back(LoopId());
+    brep.loop_half_edge.add(begin);
+    brep.loop_face.add(face);
+    brep.next_loop.add(LoopId());
     HalfEdgeId last = begin;
     for (std::uint32_t k = 0; k < corners; ++k) {
-      if (brep.loop[last.value()].valid()) fail("a half-edge is in two loops");
-      brep.loop[last.value()] = loop;
+      if (brep.loop[last].valid()) fail("a half-edge is in two loops");
+      brep.loop[last] = loop;
       const HalfEdgeId next = k + 1 < corners ? HalfEdgeId(id(brep.half_edge_count())) : begin;
-      brep.next[last.value()] = next;
-      brep.prev[next.value()] = last;
+      brep.next[last] = next;
+      brep.prev[next] = last;
       last = next;
     }
   }

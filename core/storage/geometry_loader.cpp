@@ -113,7 +113,7 @@ GeometryOffset append_geometry(const Geometry& from, Geometry& to, bool turned) 
   const auto size = [](const auto& table) { return static_cast<std::uint32_t>(table.size()); };
   const std::uint32_t constructions = size(to.constructions), coefficients = size(to.coefficients),
                       exact = size(to.exact_coefficients), moved = size(to.moved);
-  to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
+  to.positions.append(from.positions);
   for (const PlaneCoefficients& k : from.coefficients)
     to.coefficients.push_back(turned ? negated(k) : k);
   for (const auto& k : from.exact_coefficients)
@@ -123,9 +123,9 @@ GeometryOffset append_geometry(const Geometry& from, Geometry& to, bool turned) 
   for (const auto& d : from.directions) directions.push_back(shared_in(to.directions, d));
   for (const MovedPoint& p : from.moved) to.moved.push_back({p.local, frames[p.frame]});
   for (const std::uint32_t c : from.construct)
-    to.construct.push_back(c == Geometry::explicit_point ? c
-                           : c < Geometry::moved_point   ? c + constructions
-                                                         : c + moved);
+    to.construct.add(c == Geometry::explicit_point ? c
+                     : c < Geometry::moved_point   ? c + constructions
+                                                   : c + moved);
   for (const Construction& c : from.constructions)
     to.constructions.push_back({offset.plane(c.a), offset.plane(c.b), offset.plane(c.c),
                                 offset.point(c.line_from), offset.point(c.line_to)});
@@ -143,7 +143,7 @@ GeometryOffset append_geometry(const Geometry& from, Geometry& to, bool turned) 
       s.b += offset.points;
       if (turned) turn(s);
     }
-    to.planes.push_back(s);
+    to.planes.add(s);
   }
   return offset;
 }

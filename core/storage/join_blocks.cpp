@@ -1,7 +1,6 @@
 #include "storage/join_blocks.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "geometry/kernel.h"
 #include "storage/geometry_loader.h"
@@ -52,12 +51,12 @@ class Joiner {
     const Slot& slot = solid_.slot(s);
     const Brep& from = slot.block->brep;
     const GeometryOffset offset = append_geometry(slot.block->geometry, geometry_, slot.turned);
-    for (std::size_t f = 0; f < from.face_count(); ++f) {
+    for (const FaceId f : from.faces()) {
       const FaceId mine(brep_.face_count());
-      brep_.plane.push_back(offset.plane(from.plane[f]));
-      brep_.source.push_back(from.source[f]);
-      brep_.outer_loop.push_back(LoopId(brep_.loop_count()));
-      for (LoopId l = from.outer_loop[f]; l.valid(); l = from.next_loop[l.value()])
+      brep_.plane.add(offset.plane(from.plane[f]));
+      brep_.source.add(from.source[f]);
+      brep_.outer_loop.add(LoopId(brep_.loop_count()));
+      for (LoopId l = from.outer_loop[f]; l.valid(); l = from.next_loop[l])
         add_loop(s, l, mine, offset);
     }
     add_edge_planes(s, offset);
@@ -68,37 +67,36 @@ class Joiner {
     const Brep& from = slot.block->brep;
     const std::vector<HalfEdgeId>& ids = joined_[s];
     const LoopId mine(brep_.loop_count());
-    brep_.loop_face.push_back(face);
-    brep_.loop_half_edge.push_back(ids[from.loop_half_edge[l.value()].value()]);
-    brep_.next_loop.push_back(from.next_loop[l.value()].valid() ? LoopId(mine.value() + 1)
-                                                                : LoopId());
+    brep_.loop_face.add(face);
+    brep_.loop_half_edge.add(ids[from.loop_half_edge[l].value()]);
+    brep_.next_loop.add(from.next_loop[l].valid() ? LoopId(mine.value() + 1) : LoopId());
     for_each_in_loop(slot, l, [&](HalfEdgeId h) {
       const HalfEdgeId here = ids[h.value()], after = ids[slot.next_of(h).value()];
-      brep_.next[here.value()] = after;
-      brep_.prev[after.value()] = here;
-      brep_.loop[here.value()] = mine;
+      brep_.next[here] = after;
+      brep_.prev[after] = here;
+      brep_.loop[here] = mine;
       start_[here.value()] = offset.point(slot.start_of(h));
     });
   }
 
   void add_edge_planes(std::uint32_t s, const GeometryOffset& offset) {
     const Brep& from = solid_.slot(s).block->brep;
-    for (std::size_t e = 0; e < from.edge_plane.size(); ++e) {
+    for (const EdgeId e : from.edge_plane.ids()) {
       if (!from.edge_plane[e].valid()) continue;
       if (brep_.edge_plane.empty()) brep_.edge_plane.resize(edges_);
-      brep_.edge_plane[Brep::edge_of(joined_[s][2 * e]).value()] = offset.plane(from.edge_plane[e]);
+      brep_.edge_plane[Brep::edge_of(joined_[s][Brep::half_edge(e).value()])] =
+          offset.plane(from.edge_plane[e]);
     }
   }
 
   // Blocks have points of their own.
   void share_points() {
     const Kernel kernel(geometry_);
-    std::vector<std::uint32_t> order(brep_.vertex_count());
-    std::iota(order.begin(), order.end(), 0u);
-    const auto position = [&](std::uint32_t v) -> const Vec3& {
-      return geometry_.position(brep_.point[v]);
+    std::vector<VertexId> order(brep_.vertices().begin(), brep_.vertices().end());
+    const auto position = [&](VertexId v) -> const Vec3& {
+      return geometry_.position(brep_.point_of(v));
     };
-    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    std::sort(order.begin(), order.end(), [&](VertexId i, VertexId j) {
       const Vec3 &p = position(i), &q = position(j);
       return std::tie(p.x, p.y, p.z, i) < std::tie(q.x, q.y, q.z, j);
     });
@@ -110,8 +108,8 @@ class Joiner {
   }
 
   // With the first of those before it that is at the same point.
-  void share_point(const Kernel& kernel, std::span<const std::uint32_t> before, PointId& point) {
-    for (const std::uint32_t v : before)
+  void share_point(const Kernel& kernel, std::span<const VertexId> before, PointId& point) {
+    for (const VertexId v : before)
       if (kernel.same_point(brep_.point[v], point)) {
         point = brep_.point[v];
         return;

@@ -39,7 +39,7 @@ struct Slot {
 /// solid.
 template <class Visit>
 void for_each_in_loop(const Slot& slot, LoopId loop, Visit&& visit) {
-  const HalfEdgeId first = slot.block->brep.loop_half_edge[loop.value()];
+  const HalfEdgeId first = slot.block->brep.loop_half_edge[loop];
   HalfEdgeId h = first;
   do {
     visit(h);

@@ -65,7 +65,7 @@ void compact(std::vector<Slot>& slots) {
 
 bool vertices_coincide(const Brep& brep, const Geometry& geometry) {
   std::vector<bool> seen(geometry.positions.size());
-  for (std::size_t v = 0; v < brep.vertex_count(); ++v) {
+  for (const VertexId v : brep.vertices()) {
     bool divided = false;
     if (!brep.kind.empty())
       for_each_around(brep, brep.vertex_half_edge[v], [&](HalfEdgeId h) {

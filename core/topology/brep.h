@@ -5,9 +5,8 @@
 // by next_loop; the outer loop comes first. See docs/half-edges.md for the invariants.
 #pragma once
 
-#include <vector>
-
 #include "numbers/id.h"
+#include "numbers/table.h"
 #include "sectile/solid.h"
 
 namespace sectile {
@@ -21,31 +20,36 @@ enum class FaceKind : std::uint8_t {
 class Brep {
  public:
   // Per half-edge.
-  std::vector<VertexId> origin;
-  std::vector<HalfEdgeId> next, prev;
-  std::vector<LoopId> loop;
+  Table<HalfEdgeId, VertexId> origin;
+  Table<HalfEdgeId, HalfEdgeId> next, prev;
+  Table<HalfEdgeId, LoopId> loop;
   // Per edge: a plane through the edge that is not parallel to its faces, for edges between
   // coplanar faces whose end points do not say it; otherwise invalid. Empty if there is none at
   // all.
-  std::vector<PlaneId> edge_plane;
+  Table<EdgeId, PlaneId> edge_plane;
   // Per loop. A killed loop stays in its face's chain without a half-edge.
-  std::vector<HalfEdgeId> loop_half_edge;
-  std::vector<FaceId> loop_face;
-  std::vector<LoopId> next_loop;
+  Table<LoopId, HalfEdgeId> loop_half_edge;
+  Table<LoopId, FaceId> loop_face;
+  Table<LoopId, LoopId> next_loop;
   // Per face.
-  std::vector<LoopId> outer_loop;
-  std::vector<PlaneId> plane;
-  std::vector<FaceSource> source;
-  std::vector<FaceKind> kind;  ///< empty if all faces are real
+  Table<FaceId, LoopId> outer_loop;
+  Table<FaceId, PlaneId> plane;
+  Table<FaceId, FaceSource> source;
+  Table<FaceId, FaceKind> kind;  ///< empty if all faces are real
   // Per vertex.
-  std::vector<HalfEdgeId> vertex_half_edge;  ///< one of the half-edges that leave it
-  std::vector<PointId> point;
+  Table<VertexId, HalfEdgeId> vertex_half_edge;  ///< one of the half-edges that leave it
+  Table<VertexId, PointId> point;
 
   std::size_t half_edge_count() const { return origin.size(); }
   std::size_t edge_count() const { return origin.size() / 2; }
   std::size_t loop_count() const { return loop_half_edge.size(); }
   std::size_t face_count() const { return outer_loop.size(); }
   std::size_t vertex_count() const { return point.size(); }
+  IdRange<HalfEdgeId> half_edges() const { return origin.ids(); }
+  IdRange<EdgeId> edges() const { return {EdgeId(0), EdgeId(edge_count())}; }
+  IdRange<LoopId> loops() const { return loop_half_edge.ids(); }
+  IdRange<FaceId> faces() const { return outer_loop.ids(); }
+  IdRange<VertexId> vertices() const { return point.ids(); }
 
   /// Room for so many more edges, faces with one loop each, and vertices.
   void reserve(std::size_t edges, std::size_t faces, std::size_t vertices);
@@ -55,18 +59,16 @@ class Brep {
   static HalfEdgeId half_edge(EdgeId e, unsigned side = 0) {
     return HalfEdgeId(2 * e.value() + side);
   }
-  VertexId from(HalfEdgeId h) const { return origin[h.value()]; }
-  VertexId to(HalfEdgeId h) const { return origin[h.value() ^ 1u]; }
-  HalfEdgeId next_of(HalfEdgeId h) const { return next[h.value()]; }
-  HalfEdgeId prev_of(HalfEdgeId h) const { return prev[h.value()]; }
-  LoopId loop_of(HalfEdgeId h) const { return loop[h.value()]; }
-  FaceId face_of(HalfEdgeId h) const { return loop_face[loop[h.value()].value()]; }
-  PlaneId plane_of(HalfEdgeId h) const { return plane[face_of(h).value()]; }
-  PointId point_of(VertexId v) const { return point[v.value()]; }
-  FaceKind kind_of(FaceId f) const { return kind.empty() ? FaceKind::real : kind[f.value()]; }
-  PlaneId extra_plane(EdgeId e) const {
-    return edge_plane.empty() ? PlaneId() : edge_plane[e.value()];
-  }
+  VertexId from(HalfEdgeId h) const { return origin[h]; }
+  VertexId to(HalfEdgeId h) const { return origin[twin(h)]; }
+  HalfEdgeId next_of(HalfEdgeId h) const { return next[h]; }
+  HalfEdgeId prev_of(HalfEdgeId h) const { return prev[h]; }
+  LoopId loop_of(HalfEdgeId h) const { return loop[h]; }
+  FaceId face_of(HalfEdgeId h) const { return loop_face[loop[h]]; }
+  PlaneId plane_of(HalfEdgeId h) const { return plane[face_of(h)]; }
+  PointId point_of(VertexId v) const { return point[v]; }
+  FaceKind kind_of(FaceId f) const { return kind.empty() ? FaceKind::real : kind[f]; }
+  PlaneId extra_plane(EdgeId e) const { return edge_plane.empty() ? PlaneId() : edge_plane[e]; }
   /// The half-edge that leaves the same vertex next in counter-clockwise order, seen from outside.
   HalfEdgeId around(HalfEdgeId h) const { return twin(prev_of(h)); }
 };
@@ -92,7 +94,7 @@ inline void Brep::reserve(std::size_t edges, std::size_t faces, std::size_t vert
 /// Calls visit(HalfEdgeId) for every half-edge of a loop, in order.
 template <class Visit>
 void for_each_in_loop(const Brep& brep, LoopId loop, Visit&& visit) {
-  const HalfEdgeId first = brep.loop_half_edge[loop.value()];
+  const HalfEdgeId first = brep.loop_half_edge[loop];
   if (!first.valid()) return;
   for (HalfEdgeId h = first;;) {
     visit(h);
@@ -104,7 +106,7 @@ void for_each_in_loop(const Brep& brep, LoopId loop, Visit&& visit) {
 /// Calls visit(HalfEdgeId) for every half-edge of a face, loop by loop, the outer loop first.
 template <class Visit>
 void for_each_in_face(const Brep& brep, FaceId face, Visit&& visit) {
-  for (LoopId l = brep.outer_loop[face.value()]; l.valid(); l = brep.next_loop[l.value()])
+  for (LoopId l = brep.outer_loop[face]; l.valid(); l = brep.next_loop[l])
     for_each_in_loop(brep, l, visit);
 }
 

@@ -27,8 +27,7 @@ class LinkCheck {
 
   void check_half_edges() {
     const std::size_t n = brep_.half_edge_count();
-    for (std::size_t i = 0; i < n; ++i) {
-      const HalfEdgeId h{i};
+    for (const HalfEdgeId h : brep_.half_edges()) {
       if (brep_.next_of(h).value() >= n || brep_.prev_of(h).value() >= n ||
           brep_.loop_of(h).value() >= brep_.loop_count() ||
           brep_.from(h).value() >= brep_.vertex_count()) {
@@ -45,12 +44,12 @@ class LinkCheck {
 
   void check_loops() {
     std::size_t half_edges = 0;
-    for (std::size_t f = 0; f < brep_.face_count(); ++f) {
+    for (const FaceId f : brep_.faces()) {
       LoopId l = brep_.outer_loop[f];
-      if (!l.valid() && !unbounded_) report(FaceId(f), "has no loop");
-      for (; l.valid(); l = brep_.next_loop[l.value()]) {
-        if (brep_.loop_face[l.value()] != FaceId(f)) report(l, "is in the chain of another face");
-        if (brep_.loop_half_edge[l.value()].valid()) ++loops_;
+      if (!l.valid() && !unbounded_) report(f, "has no loop");
+      for (; l.valid(); l = brep_.next_loop[l]) {
+        if (brep_.loop_face[l] != f) report(l, "is in the chain of another face");
+        if (brep_.loop_half_edge[l].valid()) ++loops_;
         for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
           ++half_edges;
           if (brep_.loop_of(h) != l) report(h, "is in the cycle of another loop");
@@ -62,9 +61,8 @@ class LinkCheck {
 
   void check_vertices() {
     std::size_t half_edges = 0;
-    for (std::size_t i = 0; i < brep_.vertex_count(); ++i) {
-      const VertexId v{i};
-      const HalfEdgeId first = brep_.vertex_half_edge[i];
+    for (const VertexId v : brep_.vertices()) {
+      const HalfEdgeId first = brep_.vertex_half_edge[v];
       HalfEdgeId h = first;
       do {
         ++half_edges;

@@ -3,13 +3,12 @@
 namespace sectile {
 
 void make_vertices(Brep& brep, const std::vector<PointId>& start) {
-  for (std::size_t i = 0; i < brep.half_edge_count(); ++i) {
-    if (brep.origin[i].valid()) continue;
-    const HalfEdgeId first{i};
+  for (const HalfEdgeId first : brep.half_edges()) {
+    if (brep.origin[first].valid()) continue;
     const VertexId v(brep.vertex_count());
-    brep.point.push_back(start[i]);
-    brep.vertex_half_edge.push_back(first);
-    for_each_around(brep, first, [&](HalfEdgeId h) { brep.origin[h.value()] = v; });
+    brep.point.add(start[first.value()]);
+    brep.vertex_half_edge.add(first);
+    for_each_around(brep, first, [&](HalfEdgeId h) { brep.origin[h] = v; });
   }
 }
 

@@ -32,10 +32,10 @@ using Shape = std::vector<std::vector<std::vector<std::uint32_t>>>;
 // All faces as sets of loops of points, whatever their numbers are.
 Shape shape(const Brep& brep) {
   Shape faces;
-  for (std::size_t f = 0; f < brep.face_count(); ++f) {
+  for (const FaceId f : brep.faces()) {
     faces.emplace_back();
-    for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l.value()])
-      if (brep.loop_half_edge[l.value()].valid()) faces.back().push_back(points_of(brep, l));
+    for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l])
+      if (brep.loop_half_edge[l].valid()) faces.back().push_back(points_of(brep, l));
     std::sort(faces.back().begin(), faces.back().end());
   }
   std::sort(faces.begin(), faces.end());
@@ -110,7 +110,7 @@ TEST(Euler, SemvIsUndoneByKev) {
       const VertexId v = trial.euler.semv(h, new_point);
       EXPECT_EQ(trial.brep.to(h), v);
       trial.expect_changed();
-      HalfEdgeId leaving = trial.brep.vertex_half_edge[v.value()];
+      HalfEdgeId leaving = trial.brep.vertex_half_edge[v];
       if (from_the_other_side) leaving = trial.brep.around(leaving);
       trial.euler.kev(leaving);
       trial.expect_restored();
@@ -188,7 +188,7 @@ TEST(Euler, MekrIsUndoneByKemr) {
 
 TEST(Euler, MevvrIsUndoneByKemr) {
   for (const Brep& brep : structures())
-    for (std::size_t f = 0; f < brep.face_count(); ++f) {
+    for (const FaceId f : brep.faces()) {
       Trial trial(brep);
       const HalfEdgeId h = trial.euler.mevvr(FaceId(f), new_point);
       EXPECT_EQ(trial.brep.face_of(h), FaceId(f));
@@ -201,16 +201,16 @@ TEST(Euler, MevvrIsUndoneByKemr) {
 
 TEST(Euler, AnInnerLoopGoesToAnotherPartOfItsFaceAndBack) {
   const Brep brep = structures()[1];
-  for (std::size_t f = 0; f < brep.face_count(); ++f) {
-    const LoopId inner = brep.next_loop[brep.outer_loop[f].value()];
+  for (const FaceId f : brep.faces()) {
+    const LoopId inner = brep.next_loop[brep.outer_loop[f]];
     if (!inner.valid()) continue;
     Trial trial(brep);
-    const HalfEdgeId a = brep.loop_half_edge[brep.outer_loop[f].value()];
+    const HalfEdgeId a = brep.loop_half_edge[brep.outer_loop[f]];
     const HalfEdgeId h = trial.euler.mef(a, brep.next_of(brep.next_of(a)), Euler::NewFace::left);
     trial.euler.transfer_loop(inner, trial.brep.face_of(h));
     trial.expect_changed();
-    EXPECT_EQ(trial.brep.loop_face[inner.value()], trial.brep.face_of(h));
-    trial.euler.transfer_loop(inner, FaceId(f));
+    EXPECT_EQ(trial.brep.loop_face[inner], trial.brep.face_of(h));
+    trial.euler.transfer_loop(inner, f);
     trial.euler.kef(h);
     trial.expect_restored();
   }
@@ -266,13 +266,12 @@ TEST(Euler, AChainOfVerticesIsTheSameAsOneVertexAfterTheOther) {
   VertexId apex(0);
   const auto degree = [&](VertexId v) {
     int count = 0;
-    for_each_around(chain, chain.vertex_half_edge[v.value()], [&](HalfEdgeId) { ++count; });
+    for_each_around(chain, chain.vertex_half_edge[v], [&](HalfEdgeId) { ++count; });
     return count;
   };
   while (degree(apex) != 7) apex = VertexId(apex.value() + 1);
   std::vector<HalfEdgeId> around;
-  for_each_around(chain, chain.vertex_half_edge[apex.value()],
-                  [&](HalfEdgeId h) { around.push_back(h); });
+  for_each_around(chain, chain.vertex_half_edge[apex], [&](HalfEdgeId h) { around.push_back(h); });
   Brep single = chain;
   // Runs of two, none and three half-edges, and of none at the end; two stay.
   const std::vector<HalfEdgeId> first = {around[2], around[4], around[4], HalfEdgeId()};

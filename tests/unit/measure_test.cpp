@@ -43,7 +43,7 @@ Rational volume_in_rationals(const Solid& solid) {
   }
   Rational sum;
   for (const LoopId outer : data.brep().outer_loop)
-    for (LoopId l = outer; l.valid(); l = data.brep().next_loop[l.value()]) {
+    for (LoopId l = outer; l.valid(); l = data.brep().next_loop[l]) {
       std::vector<Point> corners;
       for_each_in_loop(data.brep(), l,
                        [&](HalfEdgeId h) { corners.push_back(at[data.brep().from(h).value()]); });

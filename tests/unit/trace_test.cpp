@@ -72,8 +72,8 @@ double distance(const Solid& solid, const TraceEntity& entity, const Vec3& place
     if (t < 0 || t > 1) return 1;
     return length(cross(minus(place, p), along)) / length(along);
   }
-  const LoopId loop = data.brep().outer_loop.at(entity.number);
-  const HalfEdgeId h = data.brep().loop_half_edge[loop.value()], next = data.brep().next_of(h);
+  const LoopId loop = data.brep().outer_loop[FaceId(entity.number)];
+  const HalfEdgeId h = data.brep().loop_half_edge[loop], next = data.brep().next_of(h);
   const Vec3 p = at(data.brep().from(h)),
              normal = cross(minus(at(data.brep().to(h)), p), minus(at(data.brep().to(next)), p));
   return std::abs(dot(minus(place, p), normal)) / length(normal);

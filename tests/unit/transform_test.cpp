@@ -131,7 +131,7 @@ TEST(TransformedMesh, MirroringTurnsFaces) {
 }
 
 std::vector<FaceSource> sorted_sources(const Solid& solid) {
-  std::vector<FaceSource> sources = solid.data()->brep().source;
+  std::vector<FaceSource> sources = solid.data()->brep().source.items();
   std::sort(sources.begin(), sources.end());
   return sources;
 }

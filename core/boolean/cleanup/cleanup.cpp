@@ -36,7 +36,7 @@ class Cleaner {
   bool within_one_face(EdgeId e) const {
     const HalfEdgeId h = Brep::half_edge(e);
     const FaceId f = brep_.face_of(h), g = brep_.face_of(Brep::twin(h));
-    return is_flat(e) && brep_.source[f.value()] == brep_.source[g.value()];
+    return is_flat(e) && brep_.source[f] == brep_.source[g];
   }
 
   void remove(HalfEdgeId h) {
@@ -48,11 +48,11 @@ class Cleaner {
     forget_dangling(h);
     const LoopId old = brep_.loop_of(h);
     const FaceId face = brep_.face_of(h);
-    const bool was_outer = brep_.outer_loop[face.value()] == old;
+    const bool was_outer = brep_.outer_loop[face] == old;
     const LoopId made = euler_.kemr(h);
     // One of the two parts of an outer loop is an inner loop now.
     if (made.valid() && was_outer && turns_left(face, made)) {
-      brep_.outer_loop[face.value()] = brep_.next_loop[old.value()];
+      brep_.outer_loop[face] = brep_.next_loop[old];
       // old is taken out and put behind made, which becomes the first.
       reorder(face, made, old);
     }
@@ -60,9 +60,9 @@ class Cleaner {
 
   void reorder(FaceId face, LoopId first, LoopId second) {
     std::vector<LoopId> others;
-    for (LoopId l = brep_.outer_loop[face.value()]; l.valid(); l = brep_.next_loop[l.value()])
+    for (LoopId l = brep_.outer_loop[face]; l.valid(); l = brep_.next_loop[l])
       if (l != first && l != second) others.push_back(l);
-    brep_.outer_loop[face.value()] = LoopId();
+    brep_.outer_loop[face] = LoopId();
     for (const LoopId l : others) euler_.move_loop(l, face, true);
     euler_.move_loop(second, face, true);
     euler_.move_loop(first, face, true);
@@ -77,12 +77,12 @@ class Cleaner {
     std::vector<PointId> points;
     for_each_in_loop(brep_, loop,
                      [&](HalfEdgeId h) { points.push_back(brep_.point_of(brep_.from(h))); });
-    return points.size() > 2 && is_counter_clockwise(kernel(), brep_.plane[face.value()], points);
+    return points.size() > 2 && is_counter_clockwise(kernel(), brep_.plane[face], points);
   }
 
   void straighten(VertexId v) {
     if (std::binary_search(gone_.begin(), gone_.end(), v)) return;
-    const HalfEdgeId h = brep_.vertex_half_edge[v.value()], g = brep_.around(h);
+    const HalfEdgeId h = brep_.vertex_half_edge[v], g = brep_.around(h);
     if (g == h || brep_.around(g) != h) return;
     if (brep_.to(h) == brep_.to(g)) return;
     const EdgeId e = Brep::edge_of(h);

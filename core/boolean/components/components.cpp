@@ -171,15 +171,15 @@ class Labelling {
 
   void settle_by_ray(std::uint32_t s, std::uint32_t member) {
     const Brep& brep = slot(s).block->brep;
-    std::uint32_t f = member;
+    FaceId f(member);
     if (!rest_.is_touched(s)) {
-      f = 0;
-      while (slot(s).block->pieces().of_face[f] != member) ++f;
+      const std::vector<std::uint32_t>& piece = slot(s).block->pieces().of_face;
+      f = FaceId(static_cast<std::size_t>(std::ranges::find(piece, member) - piece.begin()));
     }
-    const HalfEdgeId h = brep.loop_half_edge[brep.outer_loop[f].value()];
+    const HalfEdgeId h = brep.loop_half_edge[brep.outer_loop[f]];
     const PointId p = load_point(slot(s).block->geometry, brep.point_of(brep.from(h)), w_.geometry);
     w_.kernel->refresh();
-    set_rest(s, FaceId(f), label_of(p));
+    set_rest(s, f, label_of(p));
     spread();
   }
 

@@ -22,7 +22,7 @@ class RayTest {
                  [&] { return kernel_.turn(u, v, point_, 0); });
     });
     if (!parity.odd()) return false;
-    const PlaneId plane = brep_.plane[face.value()];
+    const PlaneId plane = brep_.plane[face];
     const Sign side = kernel_.side(point_, plane);
     if (side == Sign::zero) throw InternalError("a ray starts on the boundary");
     return side == -kernel_.normal(plane, 0);

@@ -217,7 +217,7 @@ class Gluer {
 
   void set_edge_plane(EdgeId e, PlaneId plane) {
     if (brep_.edge_plane.size() <= e.value()) brep_.edge_plane.resize(e.value() + 1);
-    brep_.edge_plane[e.value()] = plane;
+    brep_.edge_plane[e] = plane;
   }
 
   // Seams between coplanar faces need a plane that pins them down.
@@ -232,7 +232,7 @@ class Gluer {
         if (w_.tests().parallel(p, q))
           set_edge_plane(Brep::edge_of(id), local_.plane(w_.patch[s].side(h)));
         else if (!brep_.edge_plane.empty() && Brep::edge_of(id).value() < brep_.edge_plane.size())
-          brep_.edge_plane[Brep::edge_of(id).value()] = PlaneId();
+          brep_.edge_plane[Brep::edge_of(id)] = PlaneId();
       }
     if (!brep_.edge_plane.empty()) brep_.edge_plane.resize(brep_.edge_count());
   }
@@ -243,18 +243,17 @@ class Gluer {
   }
 
   FaceId add_face(PlaneId plane, FaceSource source) {
-    brep_.plane.push_back(plane);
-    brep_.source.push_back(source);
-    brep_.outer_loop.push_back(LoopId());
+    brep_.plane.add(plane);
+    brep_.source.add(source);
+    brep_.outer_loop.add(LoopId());
     return FaceId(brep_.face_count() - 1);
   }
 
   void add_face(const Source& from, FaceId face) {
-    const FaceId here = add_face(from.geometry.plane(from.brep.plane[face.value()], from.turned),
-                                 from.brep.source[face.value()]);
+    const FaceId here =
+        add_face(from.geometry.plane(from.brep.plane[face], from.turned), from.brep.source[face]);
     LoopId last;
-    for (LoopId l = from.brep.outer_loop[face.value()]; l.valid();
-         l = from.brep.next_loop[l.value()]) {
+    for (LoopId l = from.brep.outer_loop[face]; l.valid(); l = from.brep.next_loop[l]) {
       chain_.clear();
       for_each_in_loop(from.brep, l, [&](HalfEdgeId h) {
         if (!is_null_edge(from, h)) chain_.push_back(h);
@@ -265,10 +264,10 @@ class Gluer {
 
   LoopId add_loop(FaceId face, LoopId& last) {
     const LoopId loop(brep_.loop_count());
-    brep_.loop_face.push_back(face);
-    brep_.next_loop.push_back(LoopId());
-    brep_.loop_half_edge.push_back(HalfEdgeId());
-    (last.valid() ? brep_.next_loop[last.value()] : brep_.outer_loop[face.value()]) = loop;
+    brep_.loop_face.add(face);
+    brep_.next_loop.add(LoopId());
+    brep_.loop_half_edge.add(HalfEdgeId());
+    (last.valid() ? brep_.next_loop[last] : brep_.outer_loop[face]) = loop;
     return last = loop;
   }
 
@@ -280,18 +279,18 @@ class Gluer {
       const HalfEdgeId id = make(from, h);
       start_[id.value()] = from.geometry.point(
           from.brep.point_of(from.turned ? from.brep.to(h) : from.brep.from(h)));
-      brep_.loop[id.value()] = loop;
+      brep_.loop[id] = loop;
       if (before.valid()) {
-        brep_.next[before.value()] = id;
-        brep_.prev[id.value()] = before;
+        brep_.next[before] = id;
+        brep_.prev[id] = before;
       } else {
         first = id;
       }
       before = id;
     }
-    brep_.next[before.value()] = first;
-    brep_.prev[first.value()] = before;
-    brep_.loop_half_edge[loop.value()] = first;
+    brep_.next[before] = first;
+    brep_.prev[first] = before;
+    brep_.loop_half_edge[loop] = first;
   }
 
   // As in a patch: what is shared is stood for by faces of kind `rest`, which close the structure.
@@ -303,20 +302,19 @@ class Gluer {
       const HalfEdgeId h = Brep::half_edge(e, 1);
       HalfEdgeId after = Brep::twin(h);
       do after = Brep::twin(brep_.prev_of(after));
-      while (brep_.loop[after.value()].valid());
-      brep_.next[h.value()] = after;
-      brep_.prev[after.value()] = h;
+      while (brep_.loop[after].valid());
+      brep_.next[h] = after;
+      brep_.prev[after] = h;
       start_[after.value()] = start_[brep_.next_of(Brep::twin(after)).value()];
     }
     for (const EdgeId e : open) {
       const HalfEdgeId first = Brep::half_edge(e, 1);
-      if (brep_.loop[first.value()].valid()) continue;
+      if (brep_.loop[first].valid()) continue;
       LoopId last;
       const LoopId loop = add_loop(add_face(PlaneId(), FaceSource{}), last);
-      brep_.kind.push_back(FaceKind::rest);
-      brep_.loop_half_edge[loop.value()] = first;
-      for (HalfEdgeId h = first; !brep_.loop[h.value()].valid(); h = brep_.next_of(h))
-        brep_.loop[h.value()] = loop;
+      brep_.kind.add(FaceKind::rest);
+      brep_.loop_half_edge[loop] = first;
+      for (HalfEdgeId h = first; !brep_.loop[h].valid(); h = brep_.next_of(h)) brep_.loop[h] = loop;
     }
   }
 

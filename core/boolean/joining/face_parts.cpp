@@ -28,14 +28,13 @@ class PartSettler {
     std::vector<LoopId> part_of_inner;
     const bool single = outer_.size() == 1 && !patch_.unbounded;
     for (const LoopId l : inner_) part_of_inner.push_back(single ? outer_[0] : around(l));
-    for (const FaceId f : faces) brep_.outer_loop[f.value()] = LoopId();
-    for (const LoopId l : outer_) brep_.next_loop[l.value()] = LoopId();
-    for (const LoopId l : inner_) brep_.next_loop[l.value()] = LoopId();
+    for (const FaceId f : faces) brep_.outer_loop[f] = LoopId();
+    for (const LoopId l : outer_) brep_.next_loop[l] = LoopId();
+    for (const LoopId l : inner_) brep_.next_loop[l] = LoopId();
     place_outer(faces);
     for (std::size_t i = 0; i < inner_.size(); ++i) {
       const LoopId part = part_of_inner[i];
-      Euler(brep_).move_loop(inner_[i], part.valid() ? brep_.loop_face[part.value()] : endless_,
-                             false);
+      Euler(brep_).move_loop(inner_[i], part.valid() ? brep_.loop_face[part] : endless_, false);
     }
   }
 
@@ -44,8 +43,8 @@ class PartSettler {
     outer_.clear();
     inner_.clear();
     for (const FaceId f : faces)
-      for (LoopId l = brep_.outer_loop[f.value()]; l.valid(); l = brep_.next_loop[l.value()])
-        if (brep_.loop_half_edge[l.value()].valid()) (turns_left(l) ? outer_ : inner_).push_back(l);
+      for (LoopId l = brep_.outer_loop[f]; l.valid(); l = brep_.next_loop[l])
+        if (brep_.loop_half_edge[l].valid()) (turns_left(l) ? outer_ : inner_).push_back(l);
   }
 
   bool turns_left(LoopId l) {
@@ -72,14 +71,14 @@ class PartSettler {
   void place_outer(const std::vector<FaceId>& faces) {
     std::vector<LoopId> homeless;
     for (const LoopId l : outer_) {
-      const FaceId f = brep_.loop_face[l.value()];
-      if (brep_.outer_loop[f.value()].valid())
+      const FaceId f = brep_.loop_face[l];
+      if (brep_.outer_loop[f].valid())
         homeless.push_back(l);
       else
         Euler(brep_).move_loop(l, f, true);
     }
     for (const FaceId f : faces) {
-      if (brep_.outer_loop[f.value()].valid()) continue;
+      if (brep_.outer_loop[f].valid()) continue;
       if (homeless.empty()) {
         endless_ = f;
         continue;
@@ -92,7 +91,7 @@ class PartSettler {
   // The innermost of the outer loops that surround an inner one.
   LoopId around(LoopId inner) {
     build_trees();
-    const HalfEdgeId any = brep_.loop_half_edge[inner.value()];
+    const HalfEdgeId any = brep_.loop_half_edge[inner];
     const Vec3& at = w_.geometry.position(brep_.point_of(brep_.from(any)));
     std::uint32_t innermost = none;
     loop_tree_.query([&](const Box& b) { return b.contains(at); },
@@ -146,11 +145,11 @@ class PartSettler {
         add(Brep::half_edge(entity.edge(), 0));
         add(Brep::half_edge(entity.edge(), 1));
       } else {
-        for_each_around(brep_, brep_.vertex_half_edge[entity.vertex().value()], add);
+        for_each_around(brep_, brep_.vertex_half_edge[entity.vertex()], add);
       }
     }
     if (items.empty()) return Standing::Where::along;
-    return standing(kernel_, patch_, brep_.loop_face[outer.value()], items,
+    return standing(kernel_, patch_, brep_.loop_face[outer], items,
                     direction_of(kernel_, patch_, h))
         .where;
   }

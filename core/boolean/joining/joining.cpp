@@ -65,9 +65,7 @@ class Joiner {
     return kernel_.parallel(plane, segment_.plane[0]) ? segment_.plane[1] : segment_.plane[0];
   }
 
-  void make_null(HalfEdgeId h) {
-    patch_.brep.kind[patch_.brep.face_of(h).value()] = FaceKind::null;
-  }
+  void make_null(HalfEdgeId h) { patch_.brep.kind[patch_.brep.face_of(h)] = FaceKind::null; }
 
   const Kernel& kernel_;
   const Segment& segment_;

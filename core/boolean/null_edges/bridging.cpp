@@ -50,7 +50,7 @@ class Bridging {
   Brep& brep() { return w_.patch[operand_].brep; }
 
   void add_corners(VertexId v) {
-    for_each_around(brep(), brep().vertex_half_edge[v.value()], [&](HalfEdgeId h) {
+    for_each_around(brep(), brep().vertex_half_edge[v], [&](HalfEdgeId h) {
       if (patch().is_real(brep().face_of(h)) && !patch().is_null(h)) corners_.push_back(h);
     });
   }

@@ -23,7 +23,7 @@ class Corners {
   void collect(const Patch& patch, std::span<const VertexId> vertices) {
     corners_.clear();
     for (const VertexId v : vertices)
-      for_each_around(patch.brep, patch.brep.vertex_half_edge[v.value()], [&](HalfEdgeId h) {
+      for_each_around(patch.brep, patch.brep.vertex_half_edge[v], [&](HalfEdgeId h) {
         if (!patch.is_null(h))
           corners_.push_back(
               {patch.brep.face_of(h), static_cast<std::uint32_t>(corners_.size()), h});
@@ -191,7 +191,7 @@ class Ordering {
     std::sort(ends.begin(), ends.end(),
               [&](const Leaving& p, const Leaving& q) { return corner(p) < corner(q); });
     std::uint32_t turn = 0;
-    for_each_around(patch_->brep, patch_->brep.vertex_half_edge[vertex.value()], [&](HalfEdgeId h) {
+    for_each_around(patch_->brep, patch_->brep.vertex_half_edge[vertex], [&](HalfEdgeId h) {
       auto at = std::partition_point(ends.begin(), ends.end(),
                                      [&](const Leaving& l) { return corner(l) < h; });
       for (; at != ends.end() && corner(*at) == h; ++at) at->turn = turn;

@@ -111,8 +111,7 @@ class PairTest {
     const Patch& patch = w_.patch[s];
     for (const SidedHalfEdge& i : out_.sided[s]) {
       const VertexId v = patch.brep.from(i.h);
-      if (i.from == Sign::zero && patch.owner(v) == face &&
-          patch.brep.vertex_half_edge[v.value()] == i.h)
+      if (i.from == Sign::zero && patch.owner(v) == face && patch.brep.vertex_half_edge[v] == i.h)
         record(s, v, across, Probe(kernel_, patch.brep.point_of(v)));
       const EdgeId e = Brep::edge_of(i.h);
       if (patch.owner(e) != face) continue;

@@ -42,7 +42,7 @@ void find_places(Workspace& w, ContactId first, Contacts& found) {
   for (const Contact& contact : found.contacts[contacts])
     for (const Operand s : both_operands)
       if (contact.on[s].is_vertex())
-        w.patch[s].brep.point[contact.on[s].vertex().value()] = found.places[contact.place];
+        w.patch[s].brep.point[contact.on[s].vertex()] = found.places[contact.place];
 }
 
 }  // namespace sectile

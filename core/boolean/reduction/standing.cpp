@@ -17,7 +17,7 @@ void add_items(const Patch& patch, FaceId face, Entity entity, std::vector<Bound
       if (brep.from(h) == entity.vertex()) items.push_back({entity, h});
     });
   } else if (entity.is_vertex()) {
-    for_each_around(brep, brep.vertex_half_edge[entity.vertex().value()], [&](HalfEdgeId h) {
+    for_each_around(brep, brep.vertex_half_edge[entity.vertex()], [&](HalfEdgeId h) {
       if (brep.face_of(h) == face) items.push_back({entity, h});
     });
   }

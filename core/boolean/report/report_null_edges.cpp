@@ -91,7 +91,7 @@ class NullEdgeReport {
         const VertexId v = patch.brep.from(Brep::half_edge(edge, side));
         Pull& p = pulls_[operand][v];
         if (std::exchange(p.complete, true)) continue;
-        for_each_around(patch.brep, patch.brep.vertex_half_edge[v.value()], [&](HalfEdgeId h) {
+        for_each_around(patch.brep, patch.brep.vertex_half_edge[v], [&](HalfEdgeId h) {
           if (!patch.is_null(h)) add(p.sum, direction(patch.brep, h), 1);
         });
       }

@@ -56,12 +56,12 @@ class SectorCollector {
     TraceSector sector;
     sector.solid = solid_;
     sector.face = f.value();
-    sector.normal = unit_normal(geometry_, brep_.plane[f.value()]);
+    sector.normal = unit_normal(geometry_, brep_.plane[f]);
     return sector;
   }
 
   void add_corners(VertexId v) {
-    for_each_around(brep_, brep_.vertex_half_edge[v.value()], [&](HalfEdgeId h) {
+    for_each_around(brep_, brep_.vertex_half_edge[v], [&](HalfEdgeId h) {
       const HalfEdgeId last = brep_.around(h);
       TraceSector sector = in_face(brep_.face_of(h));
       sector.from_edge = Brep::edge_of(h).value();

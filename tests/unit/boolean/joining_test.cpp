@@ -67,11 +67,11 @@ TEST(Joining, APartWithinAFaceIsAFaceOfItsOwnInAHole) {
   phases.joined();
   const Patch& plate = phases.w.patch[Operand::a];
   std::size_t with_hole = 0;
-  for (std::size_t f = 0; f < plate.brep.face_count(); ++f) {
-    if (!plate.is_real(FaceId(f))) continue;
+  for (const FaceId f : plate.brep.faces()) {
+    if (!plate.is_real(f)) continue;
     std::size_t loops = 0;
-    for (LoopId l = plate.brep.outer_loop[f]; l.valid(); l = plate.brep.next_loop[l.value()])
-      loops += plate.brep.loop_half_edge[l.value()].valid();
+    for (LoopId l = plate.brep.outer_loop[f]; l.valid(); l = plate.brep.next_loop[l])
+      loops += plate.brep.loop_half_edge[l].valid();
     with_hole += loops == 2;
     EXPECT_LE(loops, 2u);
   }

@@ -44,7 +44,7 @@ TEST(PatchEuler, AFaceThatIsMadeIsAPartOfTheSameLoadedFace) {
   Patch& patch = phases.w.patch[Operand::a];
   const Brep& brep = patch.brep;
   const FaceId face(2);
-  const HalfEdgeId a = brep.loop_half_edge[brep.outer_loop[face.value()].value()],
+  const HalfEdgeId a = brep.loop_half_edge[brep.outer_loop[face]],
                    b = brep.next_of(brep.next_of(a));
   const PlaneId across(0);
   const HalfEdgeId made = PatchEuler(patch).mef(a, b, Euler::NewFace::left, across);
