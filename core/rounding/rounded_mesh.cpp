@@ -1,6 +1,7 @@
 #include <string>
 
 #include "import/diagnosis.h"
+#include "rounding/plain_rounding.h"
 #include "rounding/rounding_attempt.h"
 #include "sectile/rounding.h"
 
@@ -21,6 +22,12 @@ void bound_displacement(const RoundingReport& report, const Rounding& options) {
 RoundedMesh round_until_legal(std::shared_ptr<const SolidData> data, const Rounding& options) {
   const RoundingGrid grid(options);
   RoundingSteps steps(options);
+  if (!options.separate_touching)
+    if (auto plain = plain_rounding(*data, grid, steps)) {
+      bound_displacement(plain->report, options);
+      steps.finish();
+      return std::move(*plain);
+    }
   RoundedMesh result;
   Displacement moved;
   for (double coarseness = 4;; coarseness *= 4) {

@@ -67,6 +67,16 @@ class ExactMeshChecker {
   }
 
   bool is_flat(std::size_t t) const {
+    using Real = long double;
+    const Vec3 &a = at(t, 0), &b = at(t, 1), &c = at(t, 2);
+    const Real u[3] = {Real(b.x) - a.x, Real(b.y) - a.y, Real(b.z) - a.z};
+    const Real v[3] = {Real(c.x) - a.x, Real(c.y) - a.y, Real(c.z) - a.z};
+    for (int k = 0; k < 3; ++k) {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      const Real left = u[i] * v[j], right = u[j] * v[i];
+      if (std::abs(left - right) > (std::abs(left) + std::abs(right)) * 0x1p-58L + 0x1p-16000L)
+        return false;
+    }
     const RationalPoint n = normal(t);
     return n[0] == 0 && n[1] == 0 && n[2] == 0;
   }

@@ -1,6 +1,8 @@
 // What is written is legal when it is read back, says a checker that knows nothing of the library.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -197,6 +199,54 @@ TEST(SeparateTouching, LeavesAManifoldAsItIs) {
   const RoundedMesh rounded = rounded_mesh(ball, rounding);
   EXPECT_EQ(rounded.report.separated, 0u);
   EXPECT_EQ(Solid::from_mesh(rounded.mesh), ball);
+}
+
+// As points, whatever their order.
+std::vector<std::array<double, 9>> triangles_of(const PolygonMesh& mesh) {
+  std::vector<std::array<double, 9>> triangles;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    std::array<std::array<double, 3>, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& at = mesh.positions[mesh.indices[i + k]];
+      p[k] = {at.x, at.y, at.z};
+    }
+    std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
+    triangles.push_back(
+        {p[0][0], p[0][1], p[0][2], p[1][0], p[1][1], p[1][2], p[2][0], p[2][1], p[2][2]});
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+// In solids of many blocks only the surroundings of what moved are looked at. To separate what
+// touches, which is nothing here, the whole is.
+TEST(Rounding, BlockByBlockIsTheSameAsTheWhole) {
+  const Solid ball = sphere(1, 64, 32),
+              other = transformed(ball, Transform::translation({0.7, 0.31, 0.13}));
+  const Solid exact = Solid::from_mesh(other.to_mesh());
+  Rounding whole;
+  whole.separate_touching = true;
+  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract}) {
+    const Solid result = boolean(ball, exact, operation);
+    const RoundedMesh plain = expect_legal(result, {}), all = rounded_mesh(result, whole);
+    EXPECT_TRUE(triangles_of(plain.mesh) == triangles_of(all.mesh));
+    EXPECT_GT(plain.report.moved, 0u);
+    EXPECT_EQ(plain.report.corners, all.report.corners);
+    EXPECT_EQ(plain.report.moved, all.report.moved);
+    EXPECT_EQ(plain.report.median_move, all.report.median_move);
+    EXPECT_EQ(plain.report.largest_move, all.report.largest_move);
+    EXPECT_EQ(Solid::from_mesh(plain.mesh).counts().shells, result.counts().shells);
+  }
+}
+
+// A corner that hardly lies behind a face comes to lie on it: the surroundings tell.
+TEST(Rounding, BlockByBlockFindsWhatMeetsAfterwards) {
+  const Solid ball = sphere(1, 64, 32);
+  for (const double angle : {1e-9, 1e-12, 1e-15}) {
+    const Solid other = Solid::from_mesh(turned(ball, angle).to_mesh());
+    for (const Operation operation : {Operation::unite, Operation::subtract})
+      expect_legal(boolean(ball, other, operation), {});
+  }
 }
 
 TEST(Rounding, CornersInEdgesOfTheirFaceAreCornersOfTheNeighbour) {

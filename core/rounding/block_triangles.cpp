@@ -1,0 +1,261 @@
+#include "rounding/block_triangles.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "geometry/face_predicates.h"
+#include "geometry/kernel.h"
+#include "geometry/triangulation.h"
+#include "sectile/errors.h"
+
+namespace sectile {
+namespace {
+
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void unite(std::uint32_t i, std::uint32_t j) {
+    i = find(i);
+    j = find(j);
+    parent_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+bool is_triangle(const Brep& brep, FaceId f) {
+  const LoopId outer = brep.outer_loop[f];
+  const HalfEdgeId h = brep.loop_half_edge[outer];
+  return !brep.next_loop[outer].valid() && brep.next_of(brep.next_of(brep.next_of(h))) == h;
+}
+
+// What the faces of one block that are no triangles were cut into.
+struct CutFaces {
+  std::vector<std::array<VertexId, 3>> triangles;  ///< as they run in the solid
+  std::vector<std::uint32_t> face_end;             ///< per face that is no triangle
+};
+
+class FaceCutter {
+ public:
+  FaceCutter(const Slot& slot, CutFaces& result)
+      : slot_(slot), brep_(slot.block->brep), result_(result) {}
+
+  /// False if no triangles between all corners, and with no others, make up the face.
+  bool run() {
+    for (std::size_t f = 0; f < brep_.face_count(); ++f)
+      if (!is_triangle(brep_, FaceId(f)) && !cut(FaceId(f))) return false;
+    return true;
+  }
+
+ private:
+  struct Side {
+    std::uint32_t low, high;
+    bool forward;
+    auto operator<=>(const Side&) const = default;
+  };
+
+  bool cut(FaceId f) {
+    if (!kernel_) kernel_.emplace(slot_.block->geometry);
+    points_.clear();
+    vertices_.clear();
+    ends_.clear();
+    sides_.clear();
+    for (LoopId l = brep_.outer_loop[f]; l.valid(); l = brep_.next_loop[l]) {
+      const auto begin = static_cast<std::uint32_t>(points_.size());
+      for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
+        vertices_.push_back(brep_.from(h));
+        points_.push_back(brep_.point_of(brep_.from(h)));
+      });
+      const auto end = static_cast<std::uint32_t>(points_.size());
+      for (std::uint32_t i = begin; i < end; ++i) add_side(i + 1 < end ? i + 1 : begin, i);
+      ends_.push_back(end);
+    }
+    const PlaneId plane = brep_.plane[f];
+    const int axis = kernel_->main_axis(plane);
+    const FacePredicates exact(*kernel_, axis, kernel_->normal(plane, axis) == Sign::negative,
+                               points_);
+    numbers_.clear();
+    try {
+      triangulate(exact, std::span<const std::uint32_t>(ends_), numbers_);
+    } catch (const InternalError&) {  // the loops bound no simple region
+      return false;
+    }
+    for (const auto& t : numbers_)
+      for (std::size_t k = 0; k < 3; ++k) add_side(t[k], t[(k + 1) % 3]);
+    if (!all_matched()) return false;
+    for (const auto& t : numbers_)
+      result_.triangles.push_back({vertices_[t[0]], vertices_[t[slot_.turned ? 2 : 1]],
+                                   vertices_[t[slot_.turned ? 1 : 2]]});
+    result_.face_end.push_back(static_cast<std::uint32_t>(result_.triangles.size()));
+    return true;
+  }
+
+  void add_side(std::uint32_t from, std::uint32_t to) {
+    sides_.push_back({std::min(from, to), std::max(from, to), from < to});
+  }
+  // Each side of a triangle once the other way, on another triangle or, turned, on the border.
+  bool all_matched() {
+    std::sort(sides_.begin(), sides_.end());
+    if (sides_.size() % 2 != 0) return false;
+    for (std::size_t i = 0; i < sides_.size(); i += 2) {
+      const Side &a = sides_[i], &b = sides_[i + 1];
+      if (a.low != b.low || a.high != b.high || a.forward == b.forward) return false;
+      if (i > 0 && sides_[i - 1].low == a.low && sides_[i - 1].high == a.high) return false;
+    }
+    return true;
+  }
+
+  const Slot& slot_;
+  const Brep& brep_;
+  CutFaces& result_;
+  std::optional<Kernel> kernel_;
+  std::vector<PointId> points_;
+  std::vector<VertexId> vertices_;
+  std::vector<std::uint32_t> ends_;
+  std::vector<Side> sides_;
+  std::vector<std::array<std::uint32_t, 3>> numbers_;
+};
+
+class Collector {
+ public:
+  explicit Collector(const SolidData& data) : data_(data), slots_(data.slots()) {}
+
+  std::optional<BlockTriangles> run() {
+    if (data_.touches_itself() || !cut_polygons()) return {};
+    count();
+    unite_vertices();
+    result_.one_shell = is_one_shell();
+    tbb::parallel_for(std::size_t(0), slots_.size(), [&](std::size_t s) {
+      if (!slots_[s].empty()) write(static_cast<std::uint32_t>(s));
+    });
+    return std::move(result_);
+  }
+
+ private:
+  bool cut_polygons() {
+    polygons_.resize(slots_.size());
+    std::vector<std::uint8_t> whole(slots_.size(), 1);
+    tbb::parallel_for(std::size_t(0), slots_.size(), [&](std::size_t s) {
+      if (!slots_[s].empty()) whole[s] = FaceCutter(slots_[s], polygons_[s]).run();
+    });
+    return std::find(whole.begin(), whole.end(), 0) == whole.end();
+  }
+
+  void count() {
+    std::uint32_t vertices = 0, triangles = 0;
+    for (std::size_t s = 0; s < slots_.size(); ++s) {
+      result_.first_vertex.push_back(vertices);
+      result_.first_triangle.push_back(triangles);
+      if (slots_[s].empty()) continue;
+      const Brep& brep = slots_[s].block->brep;
+      vertices += static_cast<std::uint32_t>(brep.vertex_count());
+      triangles += static_cast<std::uint32_t>(brep.face_count() - polygons_[s].face_end.size() +
+                                              polygons_[s].triangles.size());
+      for (std::uint32_t i = 0; i < polygons_[s].triangles.size(); ++i)
+        result_.cut.push_back(triangles - 1 - i);
+    }
+    result_.first_triangle.push_back(triangles);
+    result_.number.resize(vertices);
+    result_.owner_.resize(vertices);
+    result_.indices.resize(3 * std::size_t(triangles));
+    result_.source.resize(triangles);
+    std::sort(result_.cut.begin(), result_.cut.end());
+  }
+
+  // Blocks have the ends of the edges between them in common.
+  void unite_vertices() {
+    Sets sets(result_.number.size());
+    const auto at = [&](std::uint32_t s, VertexId v) {
+      return result_.first_vertex[s] + v.value();
+    };
+    for (std::uint32_t s = 0; s < slots_.size(); ++s)
+      for_each_border(s, [&](HalfEdgeId h, std::uint32_t other, const BorderLink& link) {
+        if (other < s) return;
+        const HalfEdgeId back(2 * link.border);
+        sets.unite(at(s, slots_[s].from(h)), at(other, slots_[other].to(back)));
+        sets.unite(at(s, slots_[s].to(h)), at(other, slots_[other].from(back)));
+      });
+    for (std::uint32_t v = 0; v < result_.number.size(); ++v) {
+      const std::uint32_t first = sets.find(v);
+      result_.owner_[v] = first == v;
+      result_.number[v] = first == v ? result_.vertex_count++ : result_.number[first];
+    }
+  }
+
+  bool is_one_shell() const {
+    std::vector<std::uint32_t> first;
+    std::uint32_t pieces = 0;
+    for (const Slot& slot : slots_) {
+      first.push_back(pieces);
+      if (!slot.empty()) pieces += slot.block->pieces().count;
+    }
+    Sets sets(pieces);
+    for (std::uint32_t s = 0; s < slots_.size(); ++s)
+      for_each_border(s, [&](HalfEdgeId h, std::uint32_t other, const BorderLink& link) {
+        const Block& block = *slots_[s].block;
+        sets.unite(first[s] + block.pieces().of_face[block.brep.face_of(h).value()],
+                   first[other] + link.piece);
+      });
+    for (std::uint32_t p = 1; p < pieces; ++p)
+      if (sets.find(p) != 0) return false;
+    return pieces > 0;
+  }
+
+  template <class Visit>
+  void for_each_border(std::uint32_t s, const Visit& visit) const {
+    if (slots_[s].empty()) return;
+    for (std::uint32_t b = 0; b < slots_[s].block->border_count; ++b) {
+      const BorderLink& link = slots_[s].links->all()[b];
+      visit(HalfEdgeId(2 * b), s + static_cast<std::uint32_t>(link.slots), link);
+    }
+  }
+
+  // Triangles first, then what other faces were cut into.
+  void write(std::uint32_t s) {
+    const Slot& slot = slots_[s];
+    const Brep& brep = slot.block->brep;
+    std::uint32_t t = result_.first_triangle[s];
+    const auto add = [&](const std::array<VertexId, 3>& corners, FaceSource source) {
+      for (std::size_t k = 0; k < 3; ++k)
+        result_.indices[3 * std::size_t(t) + k] = result_.vertex(s, corners[k]);
+      result_.source[t++] = source;
+    };
+    std::vector<std::uint32_t> others;
+    for (std::uint32_t f = 0; f < brep.face_count(); ++f) {
+      if (!is_triangle(brep, FaceId(f))) {
+        others.push_back(f);
+        continue;
+      }
+      const HalfEdgeId a = brep.loop_half_edge[brep.outer_loop[FaceId(f)]], b = slot.next_of(a),
+                       c = slot.next_of(b);
+      add({slot.from(a), slot.from(b), slot.from(c)}, brep.source[FaceId(f)]);
+    }
+    const CutFaces& polygons = polygons_[s];
+    std::uint32_t i = 0;
+    for (std::size_t k = 0; k < others.size(); ++k)
+      for (; i < polygons.face_end[k]; ++i)
+        add(polygons.triangles[i], brep.source[FaceId(others[k])]);
+  }
+
+  const SolidData& data_;
+  std::span<const Slot> slots_;
+  std::vector<CutFaces> polygons_;  // per slot
+  BlockTriangles result_;
+};
+
+}  // namespace
+
+std::optional<BlockTriangles> block_triangles(const SolidData& data) {
+  return Collector(data).run();
+}
+
+}  // namespace sectile
