@@ -8,17 +8,10 @@ folder=${2:-$(mktemp -d)}
 [[ $# -gt 1 ]] || trap 'rm -rf "$folder"' EXIT
 root=$(cd "$(dirname "$0")/.." && pwd)
 
-packages=(libcgal-demo assimp-testmodels openscad-testing-data)
-for package in "${packages[@]}"; do
-  [[ ! -d "$folder/$package" ]] || continue
-  (cd "$folder" && apt-get -q -o APT::Sandbox::User=root download "$package")
-  dpkg-deb -x "$folder/$package"_*.deb "$folder/$package"
-done
-archive=$folder/libcgal-demo/usr/share/doc/libcgal-dev/data.tar.gz
-[[ ! -f "$archive" ]] || { tar -xzf "$archive" -C "$folder/libcgal-demo" && rm "$archive"; }
+"$root/cmake/real_meshes.sh" --all "$folder"
 
 cd "$folder"
-mapfile -t meshes < <(find "${packages[@]}" -type f -size -40M \
+mapfile -t meshes < <(find . -type f -size -40M \
   \( -iname '*.off' -o -iname '*.obj' -o -iname '*.stl' -o -iname '*.ply' -o -iname '*.3mf' \) |
   LC_ALL=C sort)
 {

@@ -54,6 +54,8 @@ Extent extent_of(const PolygonMesh& mesh) {
   return e;
 }
 
+}  // namespace
+
 std::vector<Vec3> sample_points(const PolygonMesh& mesh, std::size_t count) {
   std::mt19937_64 random(7);
   const auto part = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
@@ -83,8 +85,6 @@ std::vector<Vec3> sample_points(const PolygonMesh& mesh, std::size_t count) {
   }
   return points;
 }
-
-}  // namespace
 
 double winding_number(const PolygonMesh& mesh, const Vec3& point) {
   double sum = 0;

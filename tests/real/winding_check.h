@@ -20,6 +20,9 @@ struct Agreement {
 Agreement check_points(const PolygonMesh& mesh, bool turned, const PolygonMesh& solid,
                        std::size_t points);
 
+/// Points around a mesh, half of them close to its faces.
+std::vector<Vec3> sample_points(const PolygonMesh& mesh, std::size_t count);
+
 /// The number of times that a surface goes around a point, from solid angles.
 double winding_number(const PolygonMesh& mesh, const Vec3& point);
 
