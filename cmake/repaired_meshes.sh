@@ -22,12 +22,11 @@ What `sectile repair` makes of the meshes of Debian's packages libcgal-demo, ass
 openscad-testing-data, by the rule `positive`; meshes that are open are taken with `--close-holes`.
 Made by `cmake/repaired_meshes.sh`.
 
-*as it is* says whether `from_mesh` takes the mesh. *points that agree*: of up to 1,000 random
-points, half of them close to faces, those which are in the solid exactly if the winding number of
-the mesh says so, computed from solid angles by a program that shares nothing with the library; "-"
-where faces were turned around, holes closed or polygons split, so that the mesh as it is has no
-winding numbers. *undecided*: too close to a face. *ms*: processor time of `repair`, all cores
-together. Solids that did not pass `validate()` would be marked.
+*as it is* says whether `from_mesh` takes the mesh. *points that agree*: of 1,000 random points, half
+of them close to faces, those which are in the solid exactly if the winding number of the mesh says
+so, computed exactly by a program that shares nothing with the library; "-" where faces were turned
+around, holes closed or polygons split, so that the mesh as it is has no winding numbers. *ms*:
+processor time of `repair`, all cores together. Solids that did not pass `validate()` would be marked.
 
 PAGE
   "$build"/tests/real/repair_table "${meshes[@]}"

@@ -1,10 +1,14 @@
 // Repairs meshes and prints a row of a table for each: repair_table FILE...
+#include <tbb/parallel_for.h>
+
+#include <atomic>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <string>
 
+#include "real/exact_winding.h"
 #include "real/winding_check.h"
 #include "sectile/sectile.h"
 
@@ -36,24 +40,26 @@ bool has(const RepairReport& report, Kind kind) {
   return false;
 }
 
-std::size_t triangles(const PolygonMesh& mesh) {
-  std::size_t sum = 0;
-  for (const std::uint32_t n : mesh.face_sizes) sum += n > 2 ? n - 2 : 0;
-  return sum;
-}
-
 // Where faces were turned or added, the winding numbers of the mesh as it is say nothing.
 std::string agreement(const PolygonMesh& mesh, const RepairReport& report, const Solid& solid) {
   if (has(report, Kind::turned_faces) || has(report, Kind::closed_holes) ||
       has(report, Kind::split_polygons))
     return "-";
-  const PolygonMesh result = solid.to_mesh();
-  const std::size_t work = triangles(mesh) + triangles(result) + 1;
-  const std::size_t points = std::min<std::size_t>(1000, 400'000'000 / work);
-  const Agreement a = check_points(mesh, has(report, Kind::turned_parts), result, points);
-  return std::to_string(a.points - a.wrong - a.undecided) + " of " + std::to_string(a.points) +
-         (a.undecided > 0 ? ", " + std::to_string(a.undecided) + " undecided" : "") +
-         (a.wrong > 0 ? " **" + std::to_string(a.wrong) + " WRONG**" : "");
+  const ExactWinding input(mesh), output(solid.to_mesh());
+  const bool turned = has(report, Kind::turned_parts);
+  const std::vector<Vec3> points = sample_points(mesh, 1000);
+  std::atomic<int> wrong{0}, on_faces{0};
+  tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) {
+    const auto mine = input(points[i]), its = output(points[i]);
+    if (!mine || !its)
+      ++on_faces;
+    else
+      wrong += ((turned ? -*mine : *mine) >= 1) != (*its == 1);
+  });
+  return std::to_string(int(points.size()) - wrong - on_faces) + " of " +
+         std::to_string(points.size()) +
+         (on_faces > 0 ? ", " + std::to_string(on_faces) + " on faces" : "") +
+         (wrong > 0 ? " **" + std::to_string(wrong) + " WRONG**" : "");
 }
 
 std::string before(const PolygonMesh& mesh) {

@@ -34,7 +34,11 @@ PolygonMesh normalised(PolygonMesh mesh) {
 
 bool WrittenPairs::add(const std::string& file) {
   try {
-    solids_.push_back(Solid::from_mesh(normalised(read_mesh(file))));
+    const PolygonMesh mesh = read_mesh(file);
+    if (mesh.positions.empty()) return false;
+    const Solid solid = Solid::from_mesh(normalised(mesh));
+    if (solid.is_empty()) return false;
+    solids_.push_back(solid);
   } catch (const Error&) {
     return false;
   }
