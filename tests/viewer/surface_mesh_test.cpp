@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "picture/polygon_ears.h"
 #include "sectile/sectile.h"
 
 namespace sectile::viewer {
@@ -39,18 +38,6 @@ TEST(SurfaceMesh, PartsWithHolesAreTriangulatedWhole) {
   EXPECT_NEAR(area, part.area, 1e-4);
   // Twelve edges of the plate, two rings of 24.
   EXPECT_EQ(mesh->hard_edges.size(), 2u * (12 + 48));
-}
-
-TEST(PolygonEars, TakesTwoHolesAndCornersInLine) {
-  const std::vector<glm::dvec2> places = {{0, 0}, {5, 0}, {10, 0}, {10, 6}, {0, 6}, {1, 1}, {1, 4},
-                                          {4, 4}, {4, 1}, {6, 2},  {6, 5},  {9, 5}, {9, 2}};
-  double area = 0;
-  for (const auto& [a, b, c] : ears(places, {{0, 1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}})) {
-    const glm::dvec2 u = places[b] - places[a], v = places[c] - places[a];
-    EXPECT_GE(u.x * v.y - u.y * v.x, 0);
-    area += 0.5 * (u.x * v.y - u.y * v.x);
-  }
-  EXPECT_DOUBLE_EQ(area, 60 - 9 - 9);
 }
 
 }  // namespace

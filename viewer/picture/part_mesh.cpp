@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 
-#include "picture/polygon_ears.h"
 #include "picture/smooth_groups.h"
 #include "picture/surface_mesh.h"
+#include "sectile/errors.h"
+#include "sectile/triangulation.h"
 
 namespace sectile::viewer {
 namespace {
@@ -26,22 +28,16 @@ glm::dvec3 loop_normal(const SurfacePart& part, const std::vector<std::uint32_t>
   return length > 0 ? sum / length : glm::dvec3(0, 0, 1);
 }
 
-// The corners seen along the normal, counter-clockwise.
-std::vector<glm::dvec2> flattened(const SurfacePart& part, const SurfacePart::Face& face,
-                                  const glm::dvec3& normal, Loops& loops) {
-  const glm::dvec3 helper = std::abs(normal.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
-  const glm::dvec3 u = glm::normalize(glm::cross(helper, normal)), v = glm::cross(normal, u);
-  const glm::dvec3 origin = to_glm(part.positions[face.loops[0][0]]);
-  std::vector<glm::dvec2> places;
-  for (const auto& loop : face.loops) {
-    auto& ring = loops.emplace_back();
-    for (const std::uint32_t index : loop) {
-      const glm::dvec3 p = to_glm(part.positions[index]) - origin;
-      ring.push_back(static_cast<std::uint32_t>(places.size()));
-      places.emplace_back(glm::dot(p, u), glm::dot(p, v));
-    }
+// As numbers of corners, loop after loop. Corners are rounded: where holes come to cross what they
+// touched, they are filled.
+std::vector<CornerTriangle> triangles_of(const std::vector<Vec3>& corners,
+                                         const std::vector<std::uint32_t>& loop_ends) {
+  try {
+    return triangulate(corners, loop_ends);
+  } catch (const InvalidSolid&) {
+    const std::uint32_t outer = loop_ends.front();
+    return triangulate(std::span(corners).first(outer), std::span(&outer, 1));
   }
-  return places;
 }
 
 // The corners of all loops of all faces have numbers, one after another.
@@ -120,13 +116,15 @@ void add_face(SurfaceMesh& surface, const SurfacePart& part, std::uint32_t numbe
   const SurfacePart::Face& face = part.faces[number];
   if (face.loops.empty() || face.loops[0].empty()) return;
   const glm::dvec3 normal = numbered.normals[number];
-  Loops loops;
-  const std::vector<glm::dvec2> places = flattened(part, face, normal, loops);
-  std::vector<std::uint32_t> corners;
-  for (const auto& loop : face.loops) corners.insert(corners.end(), loop.begin(), loop.end());
-  for (const auto& triangle : ears(places, loops)) {
+  std::vector<Vec3> corners;
+  std::vector<std::uint32_t> loop_ends;
+  for (const auto& loop : face.loops) {
+    for (const std::uint32_t position : loop) corners.push_back(part.positions[position]);
+    loop_ends.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+  for (const CornerTriangle& triangle : triangles_of(corners, loop_ends)) {
     for (const std::uint32_t i : triangle) {
-      surface.positions.emplace_back(to_glm(part.positions[corners[i]]));
+      surface.positions.emplace_back(to_glm(corners[i]));
       surface.normals.emplace_back(groups.normal_at(numbered.first_of_face[number] + i, normal));
     }
     surface.faces.push_back(number);

@@ -3,7 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/box_tree.h"
+#include "scene/transforms.h"
+#include "sectile/box_search.h"
 
 namespace sectile::viewer {
 
@@ -74,7 +75,7 @@ glm::dvec3 normal_of_triangle(const SurfaceMesh& mesh, std::size_t triangle) {
 
 struct Picker::Trees {
   std::weak_ptr<const SurfaceMesh> mesh;
-  BoxTree triangles, edges;
+  BoxSearch triangles, edges;
 };
 
 Picker::Picker() = default;
@@ -84,10 +85,15 @@ const Picker::Trees& Picker::trees_of(const std::shared_ptr<const SurfaceMesh>& 
   std::erase_if(trees_, [](const auto& item) { return item.second->mesh.expired(); });
   std::unique_ptr<Trees>& trees = trees_[mesh.get()];
   if (!trees) {
-    std::vector<FloatBox> triangles(mesh->positions.size() / 3), edges(edge_count(*mesh));
-    for (std::size_t i = 0; i < 3 * triangles.size(); ++i) triangles[i / 3].add(mesh->positions[i]);
-    for (std::size_t i = 0; i < 2 * edges.size(); ++i) edges[i / 2].add(edge_end(*mesh, i));
-    trees = std::make_unique<Trees>(Trees{mesh, BoxTree(triangles), BoxTree(edges)});
+    std::vector<Extent> triangles(mesh->positions.size() / 3), edges(edge_count(*mesh));
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const glm::vec3 *p = &mesh->positions[3 * i], *q = p + 1, *r = p + 2;
+      triangles[i] = {from_glm(glm::min(*p, glm::min(*q, *r))),
+                      from_glm(glm::max(*p, glm::max(*q, *r)))};
+    }
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      edges[i] = extent_around(edge_end(*mesh, 2 * i), edge_end(*mesh, 2 * i + 1));
+    trees = std::make_unique<Trees>(Trees{mesh, BoxSearch(triangles), BoxSearch(edges)});
   }
   return *trees;
 }
@@ -101,15 +107,17 @@ std::optional<Hit> Picker::pick(const Ray& ray, const std::vector<PickTarget>& t
     const Ray local = pulled_back(ray, target.model);
     const auto& positions = target.mesh->positions;
     trees_of(target.mesh)
-        .triangles.along(local.origin, local.direction, 0, nearest, [&](std::uint32_t i) {
-          const double t =
-              distance_to(local, positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
-          if (t >= nearest || is_cut_away(section, ray.origin + t * ray.direction)) return;
-          nearest = t;
-          found = Hit{target.node, {}, {}, t, i, target.mesh->faces[i]};
-          found->normal = glm::normalize(glm::transpose(glm::inverse(glm::dmat3(target.model))) *
-                                         normal_of_triangle(*target.mesh, i));
-        });
+        .triangles.along(
+            from_glm(local.origin), from_glm(local.direction), 0, nearest, [&](std::uint32_t i) {
+              const double t =
+                  distance_to(local, positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
+              if (t >= nearest || is_cut_away(section, ray.origin + t * ray.direction)) return;
+              nearest = t;
+              found = Hit{target.node, {}, {}, t, i, target.mesh->faces[i]};
+              found->normal =
+                  glm::normalize(glm::transpose(glm::inverse(glm::dmat3(target.model))) *
+                                 normal_of_triangle(*target.mesh, i));
+            });
   }
   if (found) found->point = ray.origin + found->distance * ray.direction;
   return found;
@@ -158,11 +166,12 @@ std::optional<PickedFeature> Picker::pick_feature(const Camera& camera, glm::dve
     const double world_margin = reach * std::max(pixel_there, camera.pixel_length(farther, size));
     const double margin = world_margin * largest_stretch(glm::inverse(target.model));
     trees_of(target.mesh)
-        .edges.along(local.origin, local.direction, margin, farthest, [&](std::uint32_t i) {
-          const SurfaceMesh& mesh = *target.mesh;
-          consider(target, {placed(target.model, edge_end(mesh, 2 * i)),
-                            placed(target.model, edge_end(mesh, 2 * i + 1))});
-        });
+        .edges.along(from_glm(local.origin), from_glm(local.direction), margin, farthest,
+                     [&](std::uint32_t i) {
+                       const SurfaceMesh& mesh = *target.mesh;
+                       consider(target, {placed(target.model, edge_end(mesh, 2 * i)),
+                                         placed(target.model, edge_end(mesh, 2 * i + 1))});
+                     });
   }
   if (vertex) return vertex;
   if (edge) return edge;

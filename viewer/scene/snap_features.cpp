@@ -98,17 +98,14 @@ void SnapFeatures::add(const SnapFeatures& more, std::uint32_t part) {
 
 SnapTargets::SnapTargets(SnapFeatures all, ExactTransform place)
     : features_(std::move(all)), place_(std::move(place)) {
-  std::vector<FloatBox> vertices, edges, faces;
-  const auto add = [](std::vector<FloatBox>& boxes, const Vec3& a, const Vec3& b) {
-    boxes.emplace_back().add(glm::vec3(to_glm(a)));
-    boxes.back().add(glm::vec3(to_glm(b)));
-  };
-  for (const auto& v : features_.vertices) add(vertices, v.point, v.point);
-  for (const auto& e : features_.edges) add(edges, e.from, e.to);
-  for (const auto& f : features_.faces) add(faces, f.low, f.high);
-  vertices_ = BoxTree(vertices);
-  edges_ = BoxTree(edges);
-  faces_ = BoxTree(faces);
+  std::vector<Extent> vertices, edges, faces;
+  for (const auto& v : features_.vertices) vertices.push_back({v.point, v.point});
+  for (const auto& e : features_.edges)
+    edges.push_back(extent_around(to_glm(e.from), to_glm(e.to)));
+  for (const auto& f : features_.faces) faces.push_back({f.low, f.high});
+  vertices_ = BoxSearch(vertices);
+  edges_ = BoxSearch(edges);
+  faces_ = BoxSearch(faces);
 }
 
 std::vector<Vec3> SnapTargets::outline(const SnapFeatures::Face& face) const {
@@ -117,11 +114,8 @@ std::vector<Vec3> SnapTargets::outline(const SnapFeatures::Face& face) const {
   const auto is_on = [&](const Vec3& p) {
     return std::abs(glm::dot(to_glm(p) - to_glm(face.point), n)) <= thin;
   };
-  FloatBox box;
-  box.add(glm::vec3(low));
-  box.add(glm::vec3(high));
   std::vector<Vec3> ends;
-  edges_.near(box, thin, [&](std::uint32_t i) {
+  edges_.near(extent_around(low, high, thin), [&](std::uint32_t i) {
     const SnapFeatures::Edge& edge = features_.edges[i];
     if (is_on(edge.from) && is_on(edge.to)) ends.insert(ends.end(), {edge.from, edge.to});
   });

@@ -62,13 +62,6 @@ int rank(Snap::Kind kind) {
   }
 }
 
-FloatBox box_around(const glm::dvec3& a, const glm::dvec3& b) {
-  FloatBox box;
-  box.add(glm::vec3(a));
-  box.add(glm::vec3(b));
-  return box;
-}
-
 /// The axis that a direction is, or -1.
 int axis_of(const glm::dvec3& d) {
   for (int i = 0; i < 3; ++i)
@@ -85,8 +78,7 @@ class Search {
 
   void run(const SnapFeatures& dragged, const SnapTargets& fixed, std::size_t target) {
     target_ = target;
-    all_ = fixed.vertices().box();
-    all_.add(fixed.faces().box());
+    all_ = {fixed.vertices().extent(), fixed.faces().extent()};
     for (const auto& v : dragged.vertices) vertex(v, fixed);
     for (const auto& e : dragged.edges) edge(e, fixed);
     for (const auto& f : dragged.faces) face(f, fixed);
@@ -97,20 +89,15 @@ class Search {
 
  private:
   /// Where a dragged thing stands after the offset, and twice the reach around: nearer than the
-  /// reach is nearer than that in all coordinates. The second half is for the roundings of floats.
+  /// reach is nearer than that in all coordinates. The second half is for what was rounded.
   template <class Visit>
-  void near(const glm::dvec3& a, const glm::dvec3& b, const BoxTree& tree, Visit&& visit) {
-    const FloatBox box = box_around(a + offset_, b + offset_);
-    if (gave_up() || !is_near(box)) return;
+  void near(const glm::dvec3& a, const glm::dvec3& b, const BoxSearch& things, Visit&& visit) {
+    const Extent place = extent_around(a + offset_, b + offset_, 2 * reach_);
+    if (gave_up() || !(place.meets(all_[0]) || place.meets(all_[1]))) return;
     ++comparisons_;
-    tree.near(box, 2 * reach_, [&](std::uint32_t i) {
+    things.near(place, [&](std::uint32_t i) {
       if (++comparisons_ <= most_comparisons) visit(i);
     });
-  }
-
-  bool is_near(const FloatBox& box) const {
-    const float margin = static_cast<float>(2 * reach_);
-    return all_.meets({box.low - margin, box.high + margin});
   }
 
   std::optional<glm::dvec3> foot_on(const SnapFeatures::Edge& e, const glm::dvec3& p) const {
@@ -263,7 +250,7 @@ class Search {
   std::vector<glm::dvec3> directions_;
   std::optional<Candidate> best_;
   std::size_t target_ = 0;
-  FloatBox all_;  // of the target
+  std::array<Extent, 2> all_{};  // of the target: its vertices, its faces
   int comparisons_ = 0;
 };
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "scene/box_tree.h"
 #include "scene/exact_moves.h"
 #include "scene/scene.h"
+#include "sectile/box_search.h"
 
 namespace sectile::viewer {
 
@@ -53,16 +53,16 @@ class SnapTargets {
   SnapTargets(SnapFeatures all, ExactTransform place = {});
   const SnapFeatures& features() const { return features_; }
   const ExactTransform& place() const { return place_; }
-  const BoxTree& vertices() const { return vertices_; }
-  const BoxTree& edges() const { return edges_; }
-  const BoxTree& faces() const { return faces_; }
+  const BoxSearch& vertices() const { return vertices_; }
+  const BoxSearch& edges() const { return edges_; }
+  const BoxSearch& faces() const { return faces_; }
   /// The ends of the edges around a face, two for each.
   std::vector<Vec3> outline(const SnapFeatures::Face& face) const;
 
  private:
   SnapFeatures features_;
   ExactTransform place_;
-  BoxTree vertices_, edges_, faces_;
+  BoxSearch vertices_, edges_, faces_;
 };
 
 /// How far the drag may go: anywhere, or along one to three directions (of length one, at right

@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 
+#include "sectile/box_search.h"
 #include "sectile/sectile.h"
 
 namespace sectile::viewer {
@@ -12,6 +13,10 @@ inline glm::dvec3 to_glm(const Vec3& v) {
 }
 inline Vec3 from_glm(const glm::dvec3& v) {
   return {v.x, v.y, v.z};
+}
+/// From the one to the other, and as far beyond.
+inline Extent extent_around(const glm::dvec3& a, const glm::dvec3& b, double margin = 0) {
+  return {from_glm(glm::min(a, b) - margin), from_glm(glm::max(a, b) + margin)};
 }
 glm::dmat4 matrix_of(const Transform& transform);
 Transform transform_of(const glm::dmat4& matrix);

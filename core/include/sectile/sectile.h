@@ -3,6 +3,7 @@
 
 #include "sectile/arrangement.h"
 #include "sectile/boolean.h"
+#include "sectile/box_search.h"
 #include "sectile/errors.h"
 #include "sectile/exact_file.h"
 #include "sectile/exact_transform.h"
@@ -14,4 +15,5 @@
 #include "sectile/solid.h"
 #include "sectile/trace.h"
 #include "sectile/transform.h"
+#include "sectile/triangulation.h"
 #include "sectile/validate.h"
