@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "files/append.h"
 #include "files/formats.h"
@@ -135,7 +137,7 @@ class ThreeMfReader {
       waiting.pop_back();
       if (is_mesh(part.object.get())) {
         append(result.mesh, moved_mesh(part), name_);
-        if (!result.colour) result.colour = colour_of(part.object.get());
+        add_colour(result, part.object.get());
         continue;
       }
       std::vector<Placed> parts = components(part.object.get(), part);
@@ -212,7 +214,52 @@ class ThreeMfReader {
     return mesh;
   }
 
-  // That of the object; its triangles may have others.
+  // The first part's; without one, that of most triangles.
+  void add_colour(NamedMesh& result, Lib3mfPointer object) const {
+    const std::optional<MeshColour> whole = colour_of(object);
+    const std::map<MeshColour, std::size_t> counts = triangle_colours(object);
+    const auto most = std::max_element(counts.begin(), counts.end(),
+                                       [](auto& a, auto& b) { return a.second < b.second; });
+    if (!result.colour) {
+      if (whole)
+        result.colour = whole;
+      else if (most != counts.end())
+        result.colour = most->first;
+    }
+    for (const auto& [colour, count] : counts)
+      if (colour != result.colour) result.has_more_colours = true;
+  }
+
+  // How many triangles have which colour of their own.
+  std::map<MeshColour, std::size_t> triangle_colours(Lib3mfPointer object) const {
+    const std::string place = place_of(object);
+    const Lib3mfHandle property = made(place, NMR::lib3mf_meshobject_createpropertyhandler, object);
+    DWORD triangles = 0;
+    require(NMR::lib3mf_meshobject_gettrianglecount(object, &triangles), place);
+    std::map<MeshColour, std::size_t> counts;
+    std::map<std::pair<DWORD, DWORD>, std::size_t> materials;
+    for (DWORD i = 0; i < triangles; ++i) {
+      NMR::eModelPropertyType type = NMR::MODELPROPERTYTYPE_NONE;
+      require(NMR::lib3mf_propertyhandler_getpropertytype(property.get(), i, &type), place);
+      if (type == NMR::MODELPROPERTYTYPE_COLOR) {
+        NMR::MODELMESH_TRIANGLECOLOR_SRGB colour{};
+        require(NMR::lib3mf_propertyhandler_getcolor(property.get(), i, &colour), place);
+        const NMR::MODELMESHCOLOR_SRGB& corner = colour.m_Colors[0];
+        ++counts[{corner.m_Red, corner.m_Green, corner.m_Blue}];
+      } else if (type == NMR::MODELPROPERTYTYPE_BASEMATERIALS) {
+        std::pair<DWORD, DWORD> material;
+        require(NMR::lib3mf_propertyhandler_getbasematerial(property.get(), i, &material.first,
+                                                            &material.second),
+                place);
+        ++materials[material];
+      }
+    }
+    for (const auto& [material, count] : materials)
+      counts[material_colour(material.first, material.second, place)] += count;
+    return counts;
+  }
+
+  // That of the object.
   std::optional<MeshColour> colour_of(Lib3mfPointer object) const {
     const std::string place = place_of(object);
     const Lib3mfHandle property =
@@ -228,13 +275,17 @@ class ThreeMfReader {
     DWORD group = 0, index = 0;
     require(NMR::lib3mf_defaultpropertyhandler_getbasematerial(property.get(), &group, &index),
             place);
+    return material_colour(group, index, place);
+  }
+
+  MeshColour material_colour(DWORD group, DWORD index, const std::string& place) const {
     const Lib3mfHandle materials =
         made(place, NMR::lib3mf_model_getbasematerialbyid, model_.get(), group);
     BYTE red = 0, green = 0, blue = 0, alpha = 0;
     require(NMR::lib3mf_basematerial_getdisplaycolor(materials.get(), index, &red, &green, &blue,
                                                      &alpha),
             place);
-    return MeshColour{red, green, blue};
+    return {red, green, blue};
   }
 
   static bool is_mesh(Lib3mfPointer object) {

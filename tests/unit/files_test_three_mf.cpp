@@ -156,6 +156,29 @@ TEST(ThreeMf, ColoursOfOthersAreThoseOfTheirMaterials) {
   EXPECT_EQ(model.meshes[0].colour, (MeshColour{255, 128, 0}));
 }
 
+TEST(ThreeMf, ColoursOfTrianglesAloneGiveTheSolidItsMostFrequentOne) {
+  const std::string materials =
+      "<basematerials id='7'><base name='a' displaycolor='#0A0B0C'/>"
+      "<base name='b' displaycolor='#FF8000FF'/></basematerials>";
+  const auto with_colours = [&](const std::string& third) {
+    const std::string painted =
+        "<mesh><vertices><vertex x='0' y='0' z='0'/><vertex x='1' y='0' z='0'/>"
+        "<vertex x='0' y='1' z='0'/><vertex x='0' y='0' z='1'/></vertices><triangles>"
+        "<triangle v1='0' v2='2' v3='1' pid='7' p1='1'/>"
+        "<triangle v1='0' v2='1' v3='3' pid='7' p1='1'/>"
+        "<triangle v1='0' v2='3' v3='2' pid='7' p1='" +
+        third +
+        "'/>"
+        "<triangle v1='1' v2='2' v3='3' pid='7' p1='1'/></triangles></mesh>";
+    return read_parts(package(materials + object(1, painted), item)).meshes.at(0);
+  };
+  const NamedMesh one = with_colours("1"), two = with_colours("0");
+  EXPECT_EQ(one.colour, (MeshColour{255, 128, 0}));
+  EXPECT_FALSE(one.has_more_colours);
+  EXPECT_EQ(two.colour, (MeshColour{255, 128, 0}));
+  EXPECT_TRUE(two.has_more_colours);
+}
+
 TEST(ThreeMf, EveryUnitReadsBack) {
   for (const LengthUnit unit :
        {LengthUnit::micrometer, LengthUnit::millimeter, LengthUnit::centimeter, LengthUnit::inch,

@@ -16,10 +16,18 @@ struct MeshPart {
   std::string name;
   std::optional<NodeColour> colour;
   std::shared_ptr<const PolygonMesh> mesh;
+  double scale = 1;  ///< to millimetres
+};
+
+struct MeshParts {
+  std::vector<MeshPart> parts;
+  std::string note;  ///< what a person should know of how they were read: sentences, or empty
 };
 
 /// What has no name in the file is called after it. Throws FileError.
-std::vector<MeshPart> read_parts(const std::filesystem::path& path);
+MeshParts read_parts(const std::filesystem::path& path);
+/// How many millimetres the unit has.
+double millimetres(LengthUnit unit);
 
 /// As files hold it.
 std::optional<MeshColour> in_bytes(const std::optional<NodeColour>& colour);

@@ -45,7 +45,9 @@ using MeshColour = std::array<std::uint8_t, 3>;
 struct NamedMesh {
   std::string name;  ///< UTF-8; may be empty, and need not be unique
   PolygonMesh mesh;
-  std::optional<MeshColour> colour = {};  ///< of all of it; those of single triangles are not read
+  /// Of all of it. Of a 3MF object without one: what most of its triangles have.
+  std::optional<MeshColour> colour = {};
+  bool has_more_colours = false;  ///< some triangles have others, which are not kept
 };
 
 /// Several meshes in one file.
