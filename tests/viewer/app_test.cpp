@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "app/words.h"
+#include "scene/primitive_kind.h"
 #include "viewer/app_driver.h"
 
 namespace sectile::viewer {
@@ -38,12 +38,16 @@ void combine_two_blocks(AppDriver& driver, char key) {
 }
 
 TEST(App, AddsEveryPrimitive) {
-  for (const Primitive::Shape shape : all_shapes) {
+  for (const PrimitiveKind* kind : primitive_kinds()) {
     AppDriver driver(1024, 700);
-    driver.add(name_of(shape));
-    ASSERT_EQ(driver.scene().size(), 1u) << name_of(shape);
-    EXPECT_GT(only_solid(driver).volume(), 0) << name_of(shape);
-    EXPECT_EQ(driver.faults(), "") << name_of(shape);
+    driver.add(std::string(kind->name));
+    ASSERT_EQ(driver.scene().size(), 1u) << kind->name;
+    EXPECT_GT(only_solid(driver).volume(), 0) << kind->name;
+    for (const PrimitiveField& field : kind->fields) {
+      const std::string name = std::string("properties.") + field.name;
+      EXPECT_TRUE(driver.app().has_widget(name) || driver.app().has_widget(name + ".x")) << name;
+    }
+    EXPECT_EQ(driver.faults(), "") << kind->name;
   }
 }
 

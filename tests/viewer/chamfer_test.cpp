@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/primitives.h"
+#include "scene/primitive_kind.h"
 #include "scene/transforms.h"
 
 namespace sectile::viewer {

@@ -6,6 +6,7 @@
 
 #include "evaluation/scene_computation.h"
 #include "scene/exact_moves.h"
+#include "scene/primitive_kind.h"
 
 namespace sectile::viewer {
 namespace {
@@ -19,7 +20,7 @@ Node block(double x, double y = 0, double z = 0) {
 
 Node sphere(std::uint32_t segments, std::uint32_t rings) {
   Primitive p;
-  p.shape = Primitive::Shape::sphere;
+  p.kind = &primitive_kind("sphere");
   p.segments = segments;
   p.rings = rings;
   Node node;

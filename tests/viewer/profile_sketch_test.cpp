@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/primitives.h"
+#include "scene/primitive_kind.h"
 
 namespace sectile::viewer {
 namespace {
@@ -15,7 +15,7 @@ void expect_at(const Vec2& p, double x, double y) {
 
 Primitive extrusion() {
   Primitive primitive;
-  primitive.shape = Primitive::Shape::extrusion;
+  primitive.kind = &primitive_kind("extrusion");
   primitive.height = 1;
   return primitive;
 }

@@ -6,21 +6,23 @@
 #include <filesystem>
 #include <limits>
 
+#include "scene/primitive_kind.h"
+
 namespace sectile::viewer {
 namespace {
 
 Scene scene_of_everything() {
   Scene scene;
   std::vector<NodeId> ids;
-  for (int shape = 0; shape < 10; ++shape) {
+  for (const PrimitiveKind* kind : primitive_kinds()) {
     Primitive p;
-    p.shape = static_cast<Primitive::Shape>(shape);
+    p.kind = kind;
     p.size = {0.1, 1e-300, 1.0 / 3};
     p.profile = {{{0, 0}, {1, 0}, {0.5, 0.7}}, {{{0.1, 0.1}, {0.2, 0.1}, {0.2, 0.3}}}};
     Node node;
     node.what = p;
     node.placement = {{-0.0, 1e22, 5e-324}, {30, 0.1, -90}, {1, 2, -3}, {0, -0x1p-1, 0x1.8p-60}};
-    node.visible = shape != 3;
+    node.visible = kind->name != "pyramid";
     ids.push_back(scene.add(node));
   }
   auto mesh = std::make_shared<PolygonMesh>();

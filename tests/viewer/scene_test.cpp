@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "scene/primitives.h"
+#include "scene/primitive_kind.h"
 #include "scene/transforms.h"
 
 namespace sectile::viewer {
@@ -151,12 +151,9 @@ TEST(Placement, ComesBackFromItsMap) {
 
 TEST(Primitives, AreCentredAndRefuseBadParameters) {
   Primitive p;
-  for (const auto shape :
-       {Primitive::Shape::block, Primitive::Shape::wedge, Primitive::Shape::prism,
-        Primitive::Shape::pyramid, Primitive::Shape::cylinder, Primitive::Shape::cone,
-        Primitive::Shape::sphere, Primitive::Shape::torus}) {
-    p = Primitive();
-    p.shape = shape;
+  for (const PrimitiveKind* kind : primitive_kinds()) {
+    if (kind->profile != ProfileUse::none) continue;
+    p = first_primitive(*kind);
     const Solid solid = solid_of(p);
     EXPECT_GT(solid.volume(), 0);
     double low = 0, high = 0;
@@ -164,10 +161,10 @@ TEST(Primitives, AreCentredAndRefuseBadParameters) {
       low = std::min(low, v.z), high = std::max(high, v.z);
     EXPECT_EQ(low, -high);
     p.size.x = p.radius = 0;
-    EXPECT_THROW(solid_of(p), std::invalid_argument) << static_cast<int>(shape);
+    EXPECT_THROW(solid_of(p), std::invalid_argument) << kind->name;
   }
   p = Primitive();
-  p.shape = Primitive::Shape::sphere;
+  p.kind = &primitive_kind("sphere");
   p.segments = p.rings = 1'000'000;
   EXPECT_THROW(solid_of(p), std::invalid_argument);
 }

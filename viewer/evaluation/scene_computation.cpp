@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "picture/surface_mesh.h"
-#include "scene/primitives.h"
+#include "scene/primitive_kind.h"
 #include "scene/transforms.h"
 
 namespace sectile::viewer {

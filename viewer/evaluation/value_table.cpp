@@ -17,7 +17,7 @@ ValueKey& ValueKey::add(const std::vector<Vec2>& points) {
 }
 
 ValueKey& ValueKey::add(const Primitive& p) {
-  add(p.shape).add(p.size).add(p.radius).add(p.top_radius).add(p.minor_radius).add(p.height);
+  add(p.kind).add(p.size).add(p.radius).add(p.top_radius).add(p.minor_radius).add(p.height);
   add(p.segments).add(p.rings).add(p.profile.outer).add(p.profile.holes.size());
   for (const std::vector<Vec2>& hole : p.profile.holes) add(hole);
   return *this;

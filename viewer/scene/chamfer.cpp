@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "scene/primitive_kind.h"
 #include "scene/transforms.h"
 
 namespace sectile::viewer {
@@ -69,7 +70,7 @@ ChamferCut chamfer_cut(const ChamferEdge& edge, double size) {
   const double length = glm::distance(from, to);
 
   ChamferCut cut;
-  cut.prism.shape = Primitive::Shape::extrusion;
+  cut.prism.kind = &primitive_kind("extrusion");
   cut.prism.height = length;
   const double x = glm::dot(u, v), y = glm::dot(across, v);
   const bool right_angle = std::abs(x) < 1e-12;

@@ -5,7 +5,7 @@
 #include <glm/gtc/constants.hpp>
 #include <stdexcept>
 
-#include "scene/primitives.h"
+#include "scene/primitive_kind.h"
 #include "scene/transforms.h"
 
 namespace sectile::viewer {

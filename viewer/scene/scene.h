@@ -19,25 +19,16 @@ namespace sectile::viewer {
 /// Names a node for ever, across undo and files. 0 is none.
 using NodeId = std::uint32_t;
 
-/// Parameters of a primitive; which of them count depends on the shape.
+struct PrimitiveKind;                   // scene/primitive_kind.h
+extern const PrimitiveKind block_kind;  // which a primitive is if nothing else is said
+
+/// Parameters of a primitive; which of them count depends on its kind.
 struct Primitive {
-  enum class Shape : std::uint8_t {
-    block,
-    wedge,
-    prism,
-    pyramid,
-    cylinder,
-    cone,
-    sphere,
-    torus,
-    extrusion,
-    revolution
-  };
-  Shape shape = Shape::block;
-  Vec3 size{2, 2, 2};  ///< block, wedge: edge lengths; centred at the origin
+  const PrimitiveKind* kind = &block_kind;
+  Vec3 size{2, 2, 2};  ///< edge lengths
   double radius = 1, top_radius = 0, minor_radius = 0.35, height = 2;
   std::uint32_t segments = 32, rings = 16;
-  Profile profile;  ///< extrusion, revolution
+  Profile profile;
   friend bool operator==(const Primitive&, const Primitive&);
 };
 

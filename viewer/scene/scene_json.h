@@ -11,9 +11,6 @@ namespace sectile::viewer {
 inline constexpr int scene_file_version = 1;
 inline constexpr std::string_view scene_file_kind = "sectile scene";
 
-inline constexpr std::array<std::string_view, 10> shape_names{
-    "block", "wedge",  "prism", "pyramid",   "cylinder",
-    "cone",  "sphere", "torus", "extrusion", "revolution"};
 inline constexpr std::array<std::string_view, 3> operation_names{"unite", "intersect", "subtract"};
 
 inline constexpr std::array<std::string_view, 4> pattern_names{"linear", "polar", "path", "mirror"};

@@ -3,8 +3,10 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <sstream>
 
+#include "scene/primitive_kind.h"
 #include "scene/scene_file.h"
 #include "scene/scene_json.h"
 
@@ -82,7 +84,10 @@ struct Place {
     const std::string wanted = text();
     for (std::size_t i = 0; i < Count; ++i)
       if (names[i] == wanted) return i;
-    fail("is \"" + wanted + "\", which this version does not know");
+    fail_unknown();
+  }
+  [[noreturn]] void fail_unknown() const {
+    fail("is \"" + text() + "\", which this version does not know");
   }
 };
 
@@ -104,7 +109,12 @@ MeshPointer mesh_at(const Place& place) {
 
 Primitive primitive_at(const Place& place) {
   Primitive p;
-  p.shape = static_cast<Primitive::Shape>(place["primitive"].one_of(shape_names));
+  const std::span kinds = primitive_kinds();
+  const Place named = place["primitive"];
+  const auto kind = std::find_if(kinds.begin(), kinds.end(),
+                                 [name = named.text()](const auto* k) { return k->name == name; });
+  if (kind == kinds.end()) named.fail_unknown();
+  p.kind = *kind;
   p.size = place["size"].vector();
   p.radius = place["radius"].number();
   p.top_radius = place["top_radius"].number();

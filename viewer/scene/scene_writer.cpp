@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "scene/primitive_kind.h"
 #include "scene/scene_file.h"
 #include "scene/scene_json.h"
 
@@ -81,7 +82,7 @@ class SceneWriter {
   }
 
   void add(const Primitive& p, Json& made) const {
-    made["primitive"] = shape_names[static_cast<std::size_t>(p.shape)];
+    made["primitive"] = p.kind->name;
     made["size"] = vector(p.size);
     made["radius"] = finite(p.radius);
     made["top_radius"] = finite(p.top_radius);

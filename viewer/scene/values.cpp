@@ -1,7 +1,8 @@
 // Equality and names of what a scene is made of.
 #include <algorithm>
+#include <cctype>
 
-#include "scene/scene.h"
+#include "scene/primitive_kind.h"
 
 namespace sectile::viewer {
 
@@ -23,29 +24,9 @@ bool same_mesh(const PolygonMesh& a, const PolygonMesh& b) {
 
 struct DefaultName {
   std::string operator()(const Primitive& p) const {
-    switch (p.shape) {
-      case Primitive::Shape::block:
-        return "Block";
-      case Primitive::Shape::wedge:
-        return "Wedge";
-      case Primitive::Shape::prism:
-        return "Prism";
-      case Primitive::Shape::pyramid:
-        return "Pyramid";
-      case Primitive::Shape::cylinder:
-        return "Cylinder";
-      case Primitive::Shape::cone:
-        return "Cone";
-      case Primitive::Shape::sphere:
-        return "Sphere";
-      case Primitive::Shape::torus:
-        return "Torus";
-      case Primitive::Shape::extrusion:
-        return "Extrusion";
-      case Primitive::Shape::revolution:
-        return "Revolution";
-    }
-    return "Solid";
+    std::string name(p.kind->name);
+    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    return name;
   }
   std::string operator()(const Imported& i) const {
     const std::string stem = i.path.stem().string();
@@ -82,7 +63,7 @@ struct DefaultName {
 }  // namespace
 
 bool operator==(const Primitive& a, const Primitive& b) {
-  return a.shape == b.shape && a.size == b.size && a.radius == b.radius &&
+  return a.kind == b.kind && a.size == b.size && a.radius == b.radius &&
          a.top_radius == b.top_radius && a.minor_radius == b.minor_radius && a.height == b.height &&
          a.segments == b.segments && a.rings == b.rings && same_profile(a.profile, b.profile);
 }

@@ -1,0 +1,24 @@
+#include "scene/primitives/parameters.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace sectile::viewer {
+
+void require_length(double length, const char* what) {
+  if (!(length > 0) || !std::isfinite(length))
+    throw std::invalid_argument(std::string("The ") + what + " must be a positive number.");
+}
+
+// A slip in a typed number must not fill the memory.
+void require_faces(std::uint64_t count) {
+  if (count > 4'000'000)
+    throw std::invalid_argument("That would be " + std::to_string(count) +
+                                " faces; choose fewer segments.");
+}
+
+Solid centred(const Solid& standing, double height) {
+  return transformed(standing, Transform::translation({0, 0, -height / 2}));
+}
+
+}  // namespace sectile::viewer
