@@ -126,6 +126,18 @@ Counts move_mouse(Bench& bench, glm::dvec2 from, double reach, double seconds) {
   return counts;
 }
 
+// How long it takes, once the mouse is still, until the picture is there with all its care.
+void tell_rest(Bench& bench) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t started = std::clock();
+  do bench.frame({});
+  while (bench.app().needs_frame());
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  std::printf("%-38s %7.2f s          %8.1f ms of processor time\n",
+              "  at rest, in full quality after", passed.count(),
+              1000.0 * static_cast<double>(std::clock() - started) / CLOCKS_PER_SEC);
+}
+
 void orbit(int width, int height, double seconds, bool combined, const char* what) {
   const BenchScene scene = bench_scene(combined);
   Bench bench(width, height, scene.scene);
@@ -137,6 +149,7 @@ void orbit(int width, int height, double seconds, bool combined, const char* wha
   if (counts.frames > 20 && bench.app().camera().azimuth == before.azimuth)
     throw std::runtime_error("nothing turned");
   counts.print(what);
+  tell_rest(bench);
 }
 
 void drag(int width, int height, double seconds) {

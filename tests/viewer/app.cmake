@@ -2,7 +2,7 @@ if(TARGET sectile_viewer_app)
   sectile_test(viewer_app_test
     LABEL viewer
     SOURCES app_driver.cpp app_test.cpp app_drag_test.cpp app_habits_test.cpp app_measure_test.cpp
-            app_output_test.cpp app_pattern_test.cpp app_place_test.cpp app_profile_test.cpp app_repair_test.cpp
+            app_output_test.cpp app_pattern_test.cpp app_place_test.cpp app_profile_test.cpp app_repair_test.cpp app_rest_test.cpp
             app_select_test.cpp app_tour_test.cpp app_transform_test.cpp app_tree_test.cpp app_work_test.cpp
             app_sizes_test.cpp document_test.cpp random_events_test.cpp random_person.cpp
             typed_number_test.cpp

@@ -42,6 +42,7 @@ class App {
   /// window when it is done.
   double time_to_next_frame() const;
   Image screenshot();  ///< of the last frame
+  const DrawnWork& drawn() const;
   /// Pictures or a film without the interface; written when needs_frame() is false again.
   void record(const RecordingPlan& plan);
   std::vector<Image> film(const RecordingPlan& plan);  ///< the same at once
@@ -50,7 +51,7 @@ class App {
   void open(const std::filesystem::path& path);  ///< a scene or a mesh; errors appear in the window
   void open_sample(const std::string& name);
   void start(Scene scene, const std::filesystem::path& path);  ///< as it was read from a file
-  void add(const std::filesystem::path& path, std::vector<MeshPart> parts);
+  void add(const std::filesystem::path& path, const std::vector<MeshPart>& parts);
   const Scene& scene() const;
   const Camera& camera() const;
   void set_camera(const Camera& camera);

@@ -124,6 +124,10 @@ void PictureDrawer::paint(const Picture& picture, const Viewport& viewport, floa
   if (has(picture, &Surface::translucent)) surfaces_.add_translucent_depth(view);
   marks_.draw_visible(view);
   outlines_.draw(view, targets);
+  ++work_.pictures;
+  work_.samples += std::uint64_t(viewport.width) * std::uint64_t(viewport.height) *
+                   (targets.is_multisampled() ? samples_at_rest : 1);
+  work_.triangles = surfaces_.triangles_drawn();
 }
 
 }  // namespace sectile::viewer

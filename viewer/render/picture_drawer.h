@@ -17,6 +17,7 @@ class PictureDrawer {
   void draw(const Picture& picture, const Viewport& viewport, int frame_height, float scale);
   /// A picture of any size, by itself.
   Image draw_image(const Picture& picture, int width, int height, float scale);
+  const DrawnWork& work() const { return work_; }
 
  private:
   // What was drawn last in one quality.
@@ -36,6 +37,7 @@ class PictureDrawer {
   Shadow shadow_{surfaces_};
   OutlineDrawer outlines_{surfaces_};
   Kept fast_, full_;
+  DrawnWork work_;
 };
 
 }  // namespace sectile::viewer

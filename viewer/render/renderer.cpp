@@ -49,6 +49,10 @@ Image Renderer::draw_image(const Picture& picture, int width, int height, float 
   return implementation_->pictures.draw_image(picture, width, height, scale);
 }
 
+const DrawnWork& Renderer::work() const {
+  return implementation_->pictures.work();
+}
+
 Image Renderer::read_frame() {
   GraphicsContext& context = implementation_->context;
   context.make_current();

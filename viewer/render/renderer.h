@@ -15,6 +15,12 @@ struct Viewport {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
+/// What was painted since the renderer was made. Frames in which the picture stays as it is add
+/// nothing.
+struct DrawnWork {
+  std::uint64_t pictures = 0, samples = 0, triangles = 0;
+};
+
 class Renderer {
  public:
   /// The context must outlive the renderer.
@@ -28,6 +34,7 @@ class Renderer {
   void draw(const ImDrawData& interface);  ///< the font texture included
   /// A picture of any size by itself, whatever the frame buffer's.
   Image draw_image(const Picture& picture, int width, int height, float scale = 1);
+  const DrawnWork& work() const;
   Image read_frame();  ///< what was drawn since begin_frame
 
  private:

@@ -113,6 +113,7 @@ void SurfaceDrawer::draw_one(const Surface& surface) {
   const MeshBuffers& buffers = meshes_.buffers(surface.mesh);
   glBindVertexArray(buffers.triangles.id());
   glDrawArrays(GL_TRIANGLES, 0, buffers.corners);
+  triangles_drawn_ += static_cast<std::uint64_t>(buffers.corners) / 3;
 }
 
 void SurfaceDrawer::draw_all(ShaderProgram& program, const View& view, Which which) {

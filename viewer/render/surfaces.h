@@ -29,6 +29,9 @@ class SurfaceDrawer {
   /// hides it.
   void draw_mask(const View& view, const Surface& surface, bool through);
 
+  /// In all passes, since the drawer was made.
+  std::uint64_t triangles_drawn() const { return triangles_drawn_; }
+
  private:
   enum class Which { opaque, tools, tints, translucent };
   void set_place(ShaderProgram& program, const View& view, const glm::dmat4& to_clip,
@@ -46,6 +49,7 @@ class SurfaceDrawer {
   MeshCache& meshes_;
   ShaderProgram shaded_, depth_only_, mask_, peel_, peel_multisampled_;
   GlQuery any_pixel_;
+  std::uint64_t triangles_drawn_ = 0;
 };
 
 }  // namespace sectile::viewer
