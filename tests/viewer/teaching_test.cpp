@@ -201,6 +201,26 @@ TEST(TeachingPictures, EnlargeWhatIsTooSmallAndSaySo) {
       EXPECT_FALSE(label.text.starts_with("enlarged"));
 }
 
+TEST(TeachingPictures, NullEdgesOfPlacesThatCoincideAreDrawnApartAndSaidSo) {
+  const Story story = story_of("fig23");
+  const auto [first, end] = story.range(Phase::null_edges);
+  const Theme& colours = theme(false);
+  int apart = 0;
+  for (std::size_t i = first; i < end; ++i) {
+    const Picture picture = story.picture(i, {});
+    const bool said = std::any_of(picture.labels.begin(), picture.labels.end(),
+                                  [](const Label& l) { return l.text.starts_with("enlarged"); });
+    if (!said) continue;
+    for (const Lines& lines : picture.lines) {
+      if (glm::vec3(lines.colour) != glm::vec3(colours.step)) continue;
+      const double length = glm::distance(lines.ends.at(0), lines.ends.at(1));
+      EXPECT_GT(length, 0.05 * picture.bounds().radius()) << story.step(i).title;
+      ++apart;
+    }
+  }
+  EXPECT_GE(apart, 2);
+}
+
 // --- Colours as people with colour-blindness see them ---
 
 glm::dvec3 linear(const Colour& colour) {

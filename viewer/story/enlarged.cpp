@@ -76,6 +76,35 @@ TraceEvent enlarged(const StoryRecord& record, const TraceEvent& event) {
   return shown;
 }
 
+glm::dvec3 place_shown(const StoryRecord& record, const TracePlace& place) {
+  for (const std::uint32_t i : record.neighborhoods.at(place.number)) {
+    if (!is_too_short(record, record.events[i])) continue;
+    const TraceEvent shown = enlarged(record, record.events[i]);
+    for (const TracePlace& end : places_of(shown))
+      if (end.number == place.number) return to_glm(end.point);
+  }
+  return to_glm(place.point);
+}
+
+double shortest_segment_shown(const StoryRecord& record, std::uint32_t place) {
+  const double least = length_when_enlarged * record.bounds.radius();
+  double shortest = std::numeric_limits<double>::max();
+  for (const std::uint32_t i : record.neighborhoods.at(place)) {
+    const TraceEvent& event = record.events[i];
+    shortest =
+        std::min(shortest, is_too_short(record, event) ? least : length_of(places_of(event)));
+  }
+  return shortest;
+}
+
+std::string note_on_place(const StoryRecord& record, const TracePlace& place) {
+  if (place.number == TracePlace::no_number) return "";
+  for (const std::uint32_t i : record.neighborhoods.at(place.number))
+    if (std::string note = note_on_enlargement(record, record.events[i]); !note.empty())
+      return note;
+  return "";
+}
+
 std::string note_on_enlargement(const StoryRecord& record, const TraceEvent& event) {
   if (!is_too_short(record, event)) return "";
   const double length = length_of(places_of(event));

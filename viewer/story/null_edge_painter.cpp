@@ -16,14 +16,15 @@ Picture NullEdgePainter::run() {
 // How far the ends of a null edge are drawn from their common place.
 double NullEdgePainter::pull(const NullEdgeEvent& event) const {
   const double scene = record_.bounds.radius();
-  const double room = event.site ? 0.5 * shortest_segment_at(record_, event.place.number) : 0;
+  const double room = event.site ? 0.5 * shortest_segment_shown(record_, event.place.number) : 0;
   return std::clamp(room, 0.02 * scene, 0.16 * scene) * (0.75 + 0.25 * view_.exploded);
 }
 
 void NullEdgePainter::add_null_edge(const TraceEvent& event, Lines& edge, Points& from,
                                     Points& to) const {
   const auto& null_edge = std::get<NullEdgeEvent>(event);
-  const glm::dvec3 place = to_glm(null_edge.place.point);
+  const glm::dvec3 place =
+      null_edge.site ? place_shown(record_, null_edge.place) : to_glm(null_edge.place.point);
   const double by = pull(null_edge);
   const glm::vec3 ends[2] = {glm::vec3(place + to_glm(null_edge.pulls[0]) * by),
                              glm::vec3(place + to_glm(null_edge.pulls[1]) * by)};
@@ -65,6 +66,9 @@ void NullEdgePainter::paint_null_edges() {
   name_place(glm::dvec3(0.5f * (ends[0] + ends[1])), event.solid, name_of(event.edge));
   name_place(glm::dvec3(ends[0]), event.solid, name_of(event.from));
   name_place(glm::dvec3(ends[1]), event.solid, name_of(event.to));
+  const std::string note = note_on_place(record_, event.place);
+  if (!note.empty())
+    picture_.labels.push_back({glm::dvec3(0.5f * (ends[0] + ends[1])), note, theme_.text, true});
 }
 
 }  // namespace sectile::viewer
