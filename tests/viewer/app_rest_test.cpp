@@ -60,6 +60,22 @@ TEST_F(Rest, MovingPicturesDrawEachTriangleOnceAndEachPixelOnce) {
   EXPECT_LE(work.samples, work.pictures * (pixels() + pixels() / 50));
 }
 
+TEST_F(Rest, MovingPicturesOfAResultDrawItsTrianglesOnce) {
+  driver_.add("block");
+  driver_.key('A', true);
+  driver_.key('D');
+  do driver_.settle(1);
+  while (driver_.app().needs_frame());
+  const Solid* result = driver_.session().results.solid(driver_.scene().roots().front());
+  ASSERT_TRUE(result && !result->is_empty());
+  const std::uint64_t drawn = result->to_mesh().face_sizes.size();
+  const glm::dvec2 from = beside_the_ball();
+  const DrawnWork work = work_of([&] { driver_.hold(from, from + glm::dvec2(30, 6)); });
+  ASSERT_GE(work.pictures, 3u);
+  EXPECT_LE(work.triangles, work.pictures * (drawn + triangles / 10))
+      << "neither the tint of what is removed nor the outline of an operand";
+}
+
 TEST_F(Rest, FullQualityComesWithinHalfASecond) {
   const glm::dvec2 from = beside_the_ball();
   driver_.hold(from, from + glm::dvec2(30, 6));

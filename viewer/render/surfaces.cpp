@@ -121,6 +121,8 @@ void SurfaceDrawer::draw_all(ShaderProgram& program, const View& view, Which whi
   const auto& surfaces = view.picture.surfaces;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!is_drawn(surfaces[i], which)) continue;
+    // What is removed is tinted at rest; in motion that would draw the largest meshes once more.
+    if (which == Which::tints && view.is_fast() && is_dense(surfaces[i])) continue;
     std::optional<BackFaceCulling> culling;
     if (which == Which::opaque || which == Which::tools) culling.emplace(view, surfaces[i]);
     set_place(program, view, view.to_clip, surfaces[i], depth_shift(view, i));
