@@ -1,5 +1,8 @@
 #include "viewer/app_driver.h"
 
+#include <imgui.h>
+#include <imgui_internal.h>
+
 #include <stdexcept>
 
 namespace sectile::viewer {
@@ -22,6 +25,23 @@ bool overlap(const glm::vec4& a, const glm::vec4& b) {
   if (a.w <= 0 || b.w <= 0) return false;
   return a.x + 0.5f < b.x + b.z && b.x + 0.5f < a.x + a.z && a.y + 0.5f < b.y + b.w &&
          b.y + 0.5f < a.y + a.w;
+}
+
+/// Two scroll bars beside each other: which of them scrolls what?
+std::string twin_scroll_bars() {
+  std::string found;
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  for (ImGuiWindow* first : context.Windows)
+    for (ImGuiWindow* second : context.Windows) {
+      if (first == second || !first->WasActive || !second->WasActive) continue;
+      if (!first->ScrollbarY || !second->ScrollbarY) continue;
+      const ImRect a = ImGui::GetWindowScrollbarRect(first, ImGuiAxis_Y),
+                   b = ImGui::GetWindowScrollbarRect(second, ImGuiAxis_Y);
+      if (a.Min.x <= b.Min.x && b.Min.x - a.Max.x < 20 && a.Min.y < b.Max.y && b.Min.y < a.Max.y)
+        found += std::string("The scroll bars of ") + first->Name + " and " + second->Name +
+                 " are side by side. ";
+    }
+  return found;
 }
 
 }  // namespace
@@ -211,7 +231,7 @@ std::string AppDriver::faults() const {
           name == "legend" && second && overlap(widget.seen, second->seen))
         found += name + " and " + box + " overlap. ";
   }
-  return found;
+  return found + twin_scroll_bars();
 }
 
 }  // namespace sectile::viewer

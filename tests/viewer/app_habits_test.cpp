@@ -167,6 +167,26 @@ TEST(MessageList, KeepsTheMessagesOfAllBadFiles) {
   EXPECT_TRUE(driver.app().has_widget("panel.messages"));
 }
 
+TEST(MessageList, WhatWasToldOfTheSceneBeforeIsNotShownWithTheNext) {
+  AppDriver driver;
+  driver.app().open_sample("fig13");
+  driver.settle(2);
+  driver.app().open_sample("fig02");
+  driver.settle(2);
+  const auto& shown = driver.session().interface.messages.shown();
+  ASSERT_EQ(shown.size(), 1u);
+  EXPECT_EQ(shown[0].text.find("Figures 2, 3 of the paper: "), 0u) << shown[0].text;
+  EXPECT_EQ(driver.session().interface.messages.all().size(), 2u) << "the list keeps it";
+}
+
+TEST(MessageList, LeavesTheViewCubeFree) {
+  AppDriver driver(1024, 700);
+  driver.open_steps("fig13");
+  const glm::vec4 message = driver.app().widget("panel.message.0"),
+                  cube = driver.app().widget("view.top");
+  EXPECT_LE(message.x + message.z, cube.x);
+}
+
 TEST(Menus, CloseWithEscapeAndKeepTheSelection) {
   AppDriver driver;
   driver.add("block");
@@ -207,6 +227,25 @@ TEST(Menus, AreWalkedAroundTheirEndsAndBack) {
   EXPECT_TRUE(driver.app().has_widget("menu:file.open"));
   driver.key(Key::escape);
   EXPECT_FALSE(driver.app().has_widget("menu:file.open"));
+}
+
+TEST(Steps, LeavingThemShowsTheModelAsItWas) {
+  AppDriver driver;
+  add_two_blocks(driver);
+  driver.key('D');
+  const Camera before = driver.app().camera();
+  driver.key(Key::tab);
+  driver.key(Key::right);
+  ASSERT_NE(driver.app().camera(), before) << "it follows the steps";
+  driver.key(Key::tab);
+  EXPECT_EQ(driver.session().mode(), Mode::model);
+  EXPECT_EQ(driver.app().camera(), before);
+  // Not where a person chose to look for himself.
+  driver.key(Key::tab);
+  driver.key('C');
+  const Camera chosen = driver.app().camera();
+  driver.key(Key::tab);
+  EXPECT_EQ(driver.app().camera(), chosen);
 }
 
 TEST(Section, StartsWhereItCutsSomething) {

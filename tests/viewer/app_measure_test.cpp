@@ -61,7 +61,7 @@ TEST(AppMeasure, DimensionsFollowADrag) {
   driver.add("block");
   driver.enter("properties.rotation.z", "45");
   const auto box = [&] {
-    return close_bounds_of_selection(driver.session(), visible_shapes(driver.session()));
+    return close_bounds_of_selection(driver.session().document, visible_shapes(driver.session()));
   };
   EXPECT_NEAR(box().high.x - box().low.x, 2 * std::sqrt(2), 1e-6) << "close around what is turned";
   const auto labels = [&] { return PictureMaker().make(driver.session()).labels.size(); };
@@ -75,6 +75,24 @@ TEST(AppMeasure, DimensionsFollowADrag) {
   EXPECT_EQ(labels(), 0u);
   driver.key('B', false, true);
   EXPECT_EQ(labels(), 3u);
+}
+
+TEST(AppMeasure, DimensionsAreThoseOfTheResultNotOfItsOperands) {
+  AppDriver driver(1100, 700);
+  driver.add("block");
+  driver.add("block");
+  driver.enter("properties.position.x", "1.5");
+  driver.key('A', true);
+  driver.key('D');
+  const NodeId difference = driver.scene().roots().front();
+  const auto width = [&] {
+    const Bounds box =
+        close_bounds_of_selection(driver.session().document, visible_shapes(driver.session()));
+    return box.high.x - box.low.x;
+  };
+  EXPECT_NEAR(width(), 1.5, 1e-6);
+  driver.press("tree:" + std::to_string(driver.scene().at(difference).children[1]));
+  EXPECT_NEAR(width(), 2, 1e-6) << "of the operand that is selected itself";
 }
 
 }  // namespace

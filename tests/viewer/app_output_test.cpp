@@ -8,6 +8,7 @@
 
 #include "app/picture_maker.h"
 #include "app/section_tool.h"
+#include "app/words.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
 #include "viewer/app_driver.h"
@@ -208,6 +209,42 @@ TEST(ThreeMf, SolidsComeInAsPartsWithNamesAndColoursAndGoOutWithThem) {
   EXPECT_TRUE(driver.scene().is_empty()) << "one step of undo";
 }
 
+TEST(ThreeMf, AFileInInchesStandsInMillimetresAndSaysSo) {
+  Model model;
+  model.unit = LengthUnit::inch;
+  model.meshes = {{"Inch", block({0, 0, 0}, {1, 1, 1}).to_mesh()}};
+  const fs::path in = folder() / "inches.3mf";
+  write_model(in, model);
+  AppDriver driver;
+  driver.drop(in);
+  ASSERT_EQ(driver.scene().size(), 1u) << driver.app().last_message();
+  const Node& node = driver.scene().at(driver.scene().roots().front());
+  EXPECT_EQ(node.placement.scale, (Vec3{25.4, 25.4, 25.4}));
+  EXPECT_EQ(driver.app().last_message(),
+            "inches.3mf counts in inches: scaled by 25.4 to millimetres.");
+  EXPECT_DOUBLE_EQ(driver.session().bounds_of_all().high.x, 25.4);
+}
+
+TEST(ThreeMf, OneSolidIsNoPlural) {
+  AppDriver driver;
+  driver.add("block");
+  const fs::path out = folder() / "one.3mf";
+  fs::remove(out);
+  driver.key('E', true, true);
+  driver.press("browser.name");
+  driver.key('A', true);
+  driver.type(out.string());
+  driver.key(Key::enter);
+  driver.settle(5);
+  EXPECT_EQ(driver.app().last_message(), "1 solid exported to one.3mf.");
+}
+
+TEST(Words, OneFaceIsNoPlural) {
+  EXPECT_EQ(counted(0, "face"), "0 faces");
+  EXPECT_EQ(counted(1, "face"), "1 face");
+  EXPECT_EQ(counted(1200, "face"), "1\u00A0200 faces");
+}
+
 TEST(AppOutput, RecentFilesOutliveTheSession) {
   fs::remove_all(folder());
   const fs::path file = folder() / "one.sectile";
@@ -273,7 +310,8 @@ TEST(AppOutput, TheSectionPlaneGoesOntoAFaceAndAlongItsNormal) {
   EXPECT_NEAR(slope.w, 0, 1e-12);
   EXPECT_TRUE(driver.session().view.section_oblique);
   driver.key('1');
-  const Handles handles = section_handles(driver.session(), HandleMode::move);
+  const Handles handles =
+      section_handles(driver.session().view, driver.session().bounds_of_all(), HandleMode::move);
   const auto on_arrow = [&](double t) {
     return driver.app().on_screen(handles.origin + t * handles.size * handles.axes[2]);
   };
@@ -295,7 +333,8 @@ TEST(AppOutput, TheSectionPlaneTiltsByItsRings) {
   driver.key(Key::home);
   driver.key('X', false, true);
   driver.key('Z');
-  const Handles handles = section_handles(driver.session(), HandleMode::rotate);
+  const Handles handles =
+      section_handles(driver.session().view, driver.session().bounds_of_all(), HandleMode::rotate);
   const auto on_ring = [&](double degrees) {
     const double a = degrees * std::acos(-1.0) / 180;
     return driver.app().on_screen(handles.origin + handles.size * (std::cos(a) * handles.axes[1] +

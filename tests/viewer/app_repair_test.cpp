@@ -228,6 +228,22 @@ TEST_F(Repairing, CancelAndEscapeLeaveSceneAndCameraAsTheyWere) {
   EXPECT_EQ(driver.session().document.undo_name(), "Add block");
 }
 
+TEST_F(Repairing, ARepairedSolidStandsWhereItsFileWasNamed) {
+  AppDriver driver;
+  driver.drop(file("first.obj", cube({0, 0, 0}, 1)));
+  driver.drop(file("second.obj", without_top(cube({2, 0, 0}, 1))));
+  driver.drop(file("third.obj", without_top(cube({4, 0, 0}, 1))));
+  driver.drop(file("fourth.obj", cube({6, 0, 0}, 1)));
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(driver.session().results.repair.is_open());
+    driver.settle(4);
+    driver.press("repair.accept");
+  }
+  std::string order;
+  for (const NodeId id : driver.scene().roots()) order += driver.scene().at(id).name + " ";
+  EXPECT_EQ(order, "first second third fourth ");
+}
+
 TEST_F(Repairing, SeveralFilesAreAskedAboutOneAfterAnother) {
   AppDriver driver(1280, 800);
   // As from the command line.

@@ -92,14 +92,15 @@ class App::Implementation {
   /// One frame of a film for each of the window.
   void record_on() {
     if (!session_.interface.recording) return;
-    if (!session_.interface.recording->prepare(session_)) return session_.write_recorded();
+    if (!session_.interface.recording->prepare(session_.results, session_.view))
+      return session_.write_recorded();
     session_.interface.recording->add(draw_image(session_.interface.recording->plan()));
   }
 
   std::vector<Image> film(const RecordingPlan& plan) {
     interface_.bind();
-    Recording recording(plan, session_);
-    while (recording.prepare(session_)) recording.add(draw_image(plan));
+    Recording recording(plan, session_.results, session_.view);
+    while (recording.prepare(session_.results, session_.view)) recording.add(draw_image(plan));
     return recording.take();
   }
 
@@ -123,6 +124,7 @@ class App::Implementation {
   }
 
   Image screenshot() { return renderer_.read_frame(); }
+  const DrawnWork& drawn() const { return renderer_.work(); }
 
   glm::dvec2 on_screen(const glm::dvec3& point) const {
     const glm::dvec3 pixel = session_.view.camera.project(point, session_.view.picture_size);
@@ -376,6 +378,9 @@ void App::record(const RecordingPlan& plan) {
 std::vector<Image> App::film(const RecordingPlan& plan) {
   return implementation_->film(plan);
 }
+const DrawnWork& App::drawn() const {
+  return implementation_->drawn();
+}
 Image App::screenshot() {
   return implementation_->screenshot();
 }
@@ -389,8 +394,8 @@ void App::open_sample(const std::string& name) {
 void App::start(Scene scene, const std::filesystem::path& path) {
   implementation_->session().start(std::move(scene), path);
 }
-void App::add(const std::filesystem::path& path, std::vector<MeshPart> parts) {
-  implementation_->session().add_imported(path, std::move(parts));
+void App::add(const std::filesystem::path& path, const std::vector<MeshPart>& parts) {
+  implementation_->session().add_imported(path, parts);
 }
 const Scene& App::scene() const {
   return implementation_->session().scene();

@@ -44,14 +44,14 @@ bool meets(const Box& box, const std::array<glm::dvec2, 3>& corners) {
   return left == (side(b, c, middle) > 0) && left == (side(c, a, middle) > 0);
 }
 
-bool meets(const Box& box, const Surface& surface, const Session& session) {
+bool meets(const Box& box, const Surface& surface, const ViewState& view) {
   const auto& positions = surface.mesh->positions;
   for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
     std::array<glm::dvec2, 3> corners;
     bool before_eye = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3 p(surface.model * glm::dvec4(positions[i + k], 1));
-      const glm::dvec3 seen = session.view.camera.project(p, session.view.picture_size);
+      const glm::dvec3 seen = view.camera.project(p, view.picture_size);
       before_eye = before_eye && seen.z > 0;
       corners[k] = glm::dvec2(seen);
     }
@@ -72,13 +72,14 @@ Selection met_by_box(const Session& session, glm::dvec2 corner, glm::dvec2 oppos
   Selection met;
   for (const Shape& shape : visible_shapes(session)) {
     const NodeId top = topmost(session.scene(), shape.node);
-    if (std::count(met.begin(), met.end(), top) || !meets(box, shape.surface, session)) continue;
+    if (std::count(met.begin(), met.end(), top) || !meets(box, shape.surface, session.view))
+      continue;
     met.push_back(top);
   }
   return met;
 }
 
-std::string BoxSelect::hint(const Session&) const {
+std::string BoxSelect::hint(const ViewState&) const {
   return "Drag a box over the solids to select. Shift adds to what is selected.";
 }
 
@@ -100,15 +101,15 @@ void BoxSelect::release(Session& session, const Pointer& pointer) {
   finish();
 }
 
-void BoxSelect::add_to(Picture& picture, const Session& session) const {
+void BoxSelect::add_to(Picture& picture, const ViewState& view) const {
   if (!from_) return;
   const auto place = [&](double x, double y) {
-    const Ray ray = session.view.camera.ray({x, y}, session.view.picture_size);
-    return glm::vec3(ray.origin + session.view.camera.distance * ray.direction);
+    const Ray ray = view.camera.ray({x, y}, view.picture_size);
+    return glm::vec3(ray.origin + view.camera.distance * ray.direction);
   };
   const glm::vec3 a = place(from_->x, from_->y), b = place(to_.x, from_->y),
                   c = place(to_.x, to_.y), d = place(from_->x, to_.y);
-  picture.lines.push_back({{a, b, b, c, c, d, d, a}, theme(session.view.dark).hover, 2, true});
+  picture.lines.push_back({{a, b, b, c, c, d, d, a}, theme(view.dark).hover, 2, true});
 }
 
 }  // namespace sectile::viewer

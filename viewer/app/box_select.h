@@ -16,11 +16,11 @@ class BoxSelect : public PictureTool {
 
   Mouse mouse() const override { return Mouse::drags; }
   std::string title() const override { return "Box select"; }
-  std::string hint(const Session& session) const override;
+  std::string hint(const ViewState& view) const override;
   void follow(Session& session, const Pointer& pointer) override;
   void press(Session& session, const Pointer& pointer) override;
   void release(Session& session, const Pointer& pointer) override;
-  void add_to(Picture& picture, const Session& session) const override;
+  void add_to(Picture& picture, const ViewState& view) const override;
 
  private:
   std::optional<glm::dvec2> from_;

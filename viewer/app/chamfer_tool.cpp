@@ -4,7 +4,7 @@
 
 namespace sectile::viewer {
 
-std::string ChamferTool::hint(const Session&) const {
+std::string ChamferTool::hint(const ViewState&) const {
   if (!picked_) return "Click the edge that is to be cut off.";
   const std::string width = "Width " + typed_ + (is_typed_ ? "|" : "");
   if (!problem_.empty()) return width + " \u00B7 " + problem_;
@@ -104,8 +104,8 @@ void ChamferTool::give_up(Session& session) {
   session.document.drop_draft();
 }
 
-void ChamferTool::add_to(Picture& picture, const Session& session) const {
-  const Theme& colours = theme(session.view.dark);
+void ChamferTool::add_to(Picture& picture, const ViewState& view) const {
+  const Theme& colours = theme(view.dark);
   if (hovered_) add_spot(picture, *hovered_, colours.hover);
   if (picked_) add_spot(picture, *picked_, colours.step);
 }

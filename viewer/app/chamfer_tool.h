@@ -15,13 +15,13 @@ namespace sectile::viewer {
 class ChamferTool : public PictureTool {
  public:
   std::string title() const override { return "Chamfer"; }
-  std::string hint(const Session& session) const override;
+  std::string hint(const ViewState& view) const override;
   void follow(Session& session, const Pointer& pointer) override;
   void press(Session& session, const Pointer& pointer) override;
   bool key(Session& session, const Event& event) override;
   void text(Session& session, const std::string& typed) override;
   void give_up(Session& session) override;
-  void add_to(Picture& picture, const Session& session) const override;
+  void add_to(Picture& picture, const ViewState& view) const override;
 
  private:
   void show(Session& session);

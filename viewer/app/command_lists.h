@@ -1,6 +1,7 @@
 // The commands, menu by menu.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "app/commands.h"
@@ -19,5 +20,11 @@ std::vector<Command> view_commands();
 std::vector<Command> step_commands();
 std::vector<Command> tour_commands();
 std::vector<Command> help_commands();
+
+/// What a command does that takes a tool into the hand.
+template <class Tool, class... Arguments>
+auto begins(const Arguments&... arguments) {
+  return [=](Session& s) { s.begin_tool(std::make_unique<Tool>(arguments...)); };
+}
 
 }  // namespace sectile::viewer

@@ -6,9 +6,10 @@
 namespace sectile::viewer {
 
 /// Around those of the shapes that are selected, or belong to what is.
-void add_dimensions(Picture& picture, const Session& session, const std::vector<Shape>& shapes);
+void add_dimensions(Picture& picture, const Document& document, const ViewState& view,
+                    const std::vector<Shape>& shapes);
 
 /// The box around what is drawn of the selection: close, also for what is turned.
-Bounds close_bounds_of_selection(const Session& session, const std::vector<Shape>& shapes);
+Bounds close_bounds_of_selection(const Document& document, const std::vector<Shape>& shapes);
 
 }  // namespace sectile::viewer

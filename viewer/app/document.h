@@ -20,6 +20,8 @@ class Document {
   const Scene& scene() const { return history_.scene(); }
   std::uint64_t revision() const { return history_.revision() + started_; }
   const Selection& selection() const { return history_.selection(); }
+  /// The one selected last; 0: none.
+  NodeId selected() const { return selection().empty() ? 0 : selection().back(); }
   void select(Selection selection) { history_.select(std::move(selection)); }
 
   /// A new state, and one step of undo; nothing if it is the same. A draft is dropped.

@@ -7,22 +7,23 @@
 #include "app/icons.h"
 #include "app/modal_transform.h"
 #include "app/words.h"
+#include "scene/primitive_kind.h"
 
 namespace sectile::viewer {
 namespace {
 
-bool has_selection(const Session& s) {
-  return !s.selection().empty();
+bool has_selection(const Document& d) {
+  return !d.selection().empty();
 }
 bool in_model_with_selection(const Session& s) {
   return s.mode() == Mode::model && s.selected() != 0;
 }
-bool is_group_selected(const Session& s) {
-  const Node* node = s.scene().find(s.selected());
+bool is_group_selected(const Document& d) {
+  const Node* node = d.scene().find(d.selected());
   return node && std::holds_alternative<Group>(node->what);
 }
-bool has_solids(const Session& s) {
-  return s.scene().size() > 0;
+bool has_solids(const Document& d) {
+  return d.scene().size() > 0;
 }
 
 bool can_combine(const Session& s) {
@@ -38,21 +39,21 @@ std::vector<Command> edit_commands() {
        "Takes back the last change.",
        icons::undo,
        {{'Z', true}},
-       [](Session& s) { s.undo(); },
+       &Session::undo,
        [](const Document& d) { return d.can_undo(); }},
       {"edit.redo",
        "Redo",
        "Makes the change again that was taken back.",
        icons::redo,
        {{'Z', true, true}, {'Y', true}},
-       [](Session& s) { s.redo(); },
+       &Session::redo,
        [](const Document& d) { return d.can_redo(); }},
       Command{"edit.duplicate",
               "Duplicate",
               "Makes a copy of the selected solids in the same place, and selects it.",
               "",
               {{'D', true}},
-              [](Session& s) { s.duplicate_selected(); },
+              &Session::duplicate_selected,
               has_selection}
           .after_line(),
       {"edit.duplicate_move",
@@ -70,34 +71,34 @@ std::vector<Command> edit_commands() {
        "Puts the selected solids into the clipboard, also for other windows.",
        "",
        {{'C', true}},
-       [](Session& s) { s.copy_selected(); },
+       &Session::copy_selected,
        has_selection},
       {"edit.cut",
        "Cut",
        "Puts the selected solids into the clipboard and takes them away.",
        "",
        {{'X', true}},
-       [](Session& s) { s.cut_selected(); },
+       &Session::cut_selected,
        has_selection},
       {"edit.paste",
        "Paste",
        "Adds the solids that were copied, here or in another window, where they were.",
        "",
        {{'V', true}},
-       [](Session& s) { s.paste(); }},
+       &Session::paste},
       {"edit.delete",
        "Delete",
        "Takes the selected solids away.",
        "",
        {{Key::del}, {Key::backspace}},
-       [](Session& s) { s.remove_selected(); },
+       &Session::remove_selected,
        has_selection},
       Command{"edit.group",
               "Group",
               "Puts the selected solids together so that they move as one.",
               "",
               {{'G', true}},
-              [](Session& s) { s.group_selected(); },
+              &Session::group_selected,
               has_selection}
           .after_line(),
       {"edit.ungroup",
@@ -105,7 +106,7 @@ std::vector<Command> edit_commands() {
        "Takes the selected group apart.",
        "",
        {{'G', true, true}},
-       [](Session& s) { s.ungroup_selected(); },
+       &Session::ungroup_selected,
        is_group_selected},
       {"edit.rename",
        "Rename",
@@ -121,7 +122,7 @@ std::vector<Command> edit_commands() {
        "Hides the selected solids, or shows them again.",
        "",
        {{'H'}},
-       [](Session& s) { s.hide_selected(); },
+       &Session::hide_selected,
        has_selection},
       Command{"edit.select_all",
               "Select all",
@@ -136,7 +137,7 @@ std::vector<Command> edit_commands() {
        "Drag a box over the solids to select. Shift and a drag do the same at any time.",
        "",
        {{'B'}},
-       [](Session& s) { s.begin_tool(std::make_unique<BoxSelect>()); },
+       begins<BoxSelect>(),
        [](const Session& s) { return s.mode() == Mode::model && s.scene().size() > 0; }},
   };
 }
@@ -149,13 +150,15 @@ std::vector<Command> add_commands() {
                                     {{'A', false, true}},
                                     [](InterfaceState& i) { i.adding = true; }}};
   commands.front().in_menu = false;
-  for (const Primitive::Shape shape : all_shapes)
-    commands.push_back({"add." + name_of(shape),
-                        capitalised(name_of(shape)),
-                        "Adds a " + name_of(shape) + ".",
+  for (const PrimitiveKind* kind : primitive_kinds()) {
+    const std::string name(kind->name);
+    commands.push_back({"add." + name,
+                        capitalised(name),
+                        (name.find_first_of("aeiou") == 0 ? "Adds an " : "Adds a ") + name + ".",
                         "",
                         {},
-                        [shape](Session& s) { s.add(shape); }});
+                        [kind](Session& s) { s.add(*kind); }});
+  }
   for (Command& command : profile_commands()) commands.push_back(std::move(command));
   return commands;
 }
@@ -188,14 +191,14 @@ std::vector<Command> operation_commands() {
        "Cuts the selected solid in two along the section plane.",
        icons::scissors,
        {{'P'}},
-       [](Session& s) { s.split(); },
+       &Session::split,
        [](const Session& s) { return s.topmost_selected().size() == 1; }},
       {"operation.chamfer",
        "Chamfer an edge",
        "Cuts off an edge: click it, and type how wide.",
        "",
        {{'B', true}},
-       [](Session& s) { s.begin_tool(std::make_unique<ChamferTool>()); },
+       begins<ChamferTool>(),
        [](const Session& s) { return s.is_modelling() && s.scene().size() > 0; }},
   };
 }

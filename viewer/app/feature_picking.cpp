@@ -18,10 +18,11 @@ std::vector<PickTarget> targets_of(const Session& session) {
   return targets;
 }
 
-NodeId mover_of(const Session& session, NodeId node) {
+NodeId mover_of(const Document& document, NodeId node) {
+  const Selection& chosen = document.selection();
   NodeId top = node;
-  for (const Node* n = session.scene().find(node); n; n = session.scene().find(n->parent)) {
-    if (session.is_selected(n->id)) return n->id;
+  for (const Node* n = document.scene().find(node); n; n = document.scene().find(n->parent)) {
+    if (std::count(chosen.begin(), chosen.end(), n->id) > 0) return n->id;
     top = n->id;
   }
   return top;
@@ -74,12 +75,10 @@ ExactTransform way_up(const Scene& scene, NodeId id, NodeId top) {
   return way_up(scene, scene.at(id).parent, top) * scene.at(id).placement.exact();
 }
 
-void add_box(const Session& session, NodeId id, NodeId mover, ExactBox& box) {
-  const Evaluation::Entry* entry =
-      session.results.evaluation() ? session.results.evaluation()->find(id) : nullptr;
-  if (entry && entry->error.empty() && !entry->inside.is_empty())
-    return box.add(standing_of(session.scene(), id, mover), exact_mesh(entry->inside).corners);
-  for (const NodeId child : session.scene().at(id).children) add_box(session, child, mover, box);
+void add_box(const Scene& scene, const Results& results, NodeId id, NodeId mover, ExactBox& box) {
+  if (const Solid* inside = results.inside(id))
+    return box.add(standing_of(scene, id, mover), exact_mesh(*inside).corners);
+  for (const NodeId child : scene.at(id).children) add_box(scene, results, child, mover, box);
 }
 
 }  // namespace
@@ -90,14 +89,14 @@ std::vector<Vec3> PickedSpot::shown() const {
   return {};
 }
 
-std::optional<PickedSpot> FeaturePicker::spot_of(const Session& session, NodeId node) {
-  const Evaluation::Entry* entry =
-      session.results.evaluation() ? session.results.evaluation()->find(node) : nullptr;
-  if (!entry || !entry->error.empty() || entry->inside.is_empty()) return std::nullopt;
+std::optional<PickedSpot> FeaturePicker::spot_of(const Document& document, const Results& results,
+                                                 NodeId node) {
+  const Solid* inside = results.inside(node);
+  if (!inside) return std::nullopt;
   PickedSpot spot;
   spot.node = node;
-  spot.mover = mover_of(session, node);
-  spot.features = known_.of(entry->inside, session.scene().exact_world(node));
+  spot.mover = mover_of(document, node);
+  spot.features = known_.of(*inside, document.scene().exact_world(node));
   return spot;
 }
 
@@ -105,7 +104,8 @@ std::optional<PickedSpot> FeaturePicker::face_at(const Session& session, glm::dv
   const Ray ray = session.view.camera.ray(pixel, session.view.picture_size);
   const SectionPlane section{session.view.section, session.view.section_plane()};
   const std::optional<Hit> hit = picker_.pick(ray, targets_of(session), section);
-  std::optional<PickedSpot> spot = hit ? spot_of(session, hit->node) : std::nullopt;
+  std::optional<PickedSpot> spot =
+      hit ? spot_of(session.document, session.results, hit->node) : std::nullopt;
   if (!spot) return std::nullopt;
   const auto face = face_at_point(spot->features->features(), hit->point, hit->normal);
   if (!face) return std::nullopt;
@@ -119,7 +119,7 @@ std::optional<PickedSpot> FeaturePicker::any_at(const Session& session, glm::dve
   const std::optional<PickedFeature> found = picker_.pick_feature(
       session.view.camera, pixel, session.view.picture_size, reach, targets_of(session));
   if (!found || found->kind == PickedFeature::Kind::face) return face_at(session, pixel);
-  std::optional<PickedSpot> spot = spot_of(session, found->node);
+  std::optional<PickedSpot> spot = spot_of(session.document, session.results, found->node);
   if (!spot) return std::nullopt;
   const SnapFeatures& features = spot->features->features();
   spot->kind = found->kind;
@@ -166,9 +166,9 @@ Standing standing_of(const Scene& scene, NodeId node, NodeId mover) {
           way_up(scene, node, mover)};
 }
 
-ExactBox exact_box_of(const Session& session, NodeId id) {
+ExactBox exact_box_of(const Scene& scene, const Results& results, NodeId id) {
   ExactBox box;
-  add_box(session, id, id, box);
+  add_box(scene, results, id, id, box);
   return box;
 }
 

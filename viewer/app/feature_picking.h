@@ -33,7 +33,7 @@ class FeaturePicker {
   std::optional<PickedSpot> any_at(const Session& session, glm::dvec2 pixel);
 
  private:
-  std::optional<PickedSpot> spot_of(const Session& session, NodeId node);
+  std::optional<PickedSpot> spot_of(const Document& document, const Results& results, NodeId node);
   Picker picker_;
   KnownTargets known_;
 };
@@ -41,7 +41,7 @@ class FeaturePicker {
 /// How the solid of a node stands when `mover`, the node or one above it, is to be moved.
 Standing standing_of(const Scene& scene, NodeId node, NodeId mover);
 /// The box around a node in the world; empty if nothing of it is computed.
-ExactBox exact_box_of(const Session& session, NodeId id);
+ExactBox exact_box_of(const Scene& scene, const Results& results, NodeId id);
 /// Draws edges and points over everything.
 void add_spot(Picture& picture, const PickedSpot& spot, const Colour& colour);
 

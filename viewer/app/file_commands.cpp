@@ -5,8 +5,8 @@
 namespace sectile::viewer {
 namespace {
 
-bool has_solids(const Session& s) {
-  return s.scene().size() > 0;
+bool has_solids(const Document& d) {
+  return d.scene().size() > 0;
 }
 
 void save_as(Session& s) {

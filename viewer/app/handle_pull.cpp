@@ -139,7 +139,7 @@ void HandlePull::show(Session& session, const HandleChange& change, bool snappin
 Scene HandlePull::moved(Session& session, const glm::dvec3& offset, bool snapping,
                         KnownTargets& known) {
   if (!snapping) return moved_by(offset);
-  if (!others_) others_.emplace(session, nodes_, known);
+  if (!others_) others_.emplace(session.scene(), session.results, nodes_, known);
   if (std::optional<Scene> scene = moved_into_contact(session, offset, *others_)) return *scene;
   return moved_on_grid(session, offset);
 }

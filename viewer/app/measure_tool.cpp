@@ -64,7 +64,7 @@ std::vector<glm::vec3> ring(const Circle& circle) {
 
 }  // namespace
 
-std::string MeasureTool::hint(const Session&) const {
+std::string MeasureTool::hint(const ViewState&) const {
   const std::string next = !first_    ? "Click a vertex, an edge or a face."
                            : !second_ ? "Click a second one to measure between the two."
                                       : "Click again to begin anew.";
@@ -100,8 +100,8 @@ void MeasureTool::measure() {
   if (circle_) result_.append("\n").append(text_of(*circle_));
 }
 
-void MeasureTool::add_to(Picture& picture, const Session& session) const {
-  const Theme& colours = theme(session.view.dark);
+void MeasureTool::add_to(Picture& picture, const ViewState& view) const {
+  const Theme& colours = theme(view.dark);
   if (hovered_) add_spot(picture, *hovered_, colours.hover);
   if (first_) add_spot(picture, *first_, colours.a);
   if (second_) add_spot(picture, *second_, colours.b);

@@ -12,10 +12,10 @@ namespace sectile::viewer {
 class MeasureTool : public PictureTool {
  public:
   std::string title() const override { return "Measure"; }
-  std::string hint(const Session& session) const override;
+  std::string hint(const ViewState& view) const override;
   void follow(Session& session, const Pointer& pointer) override;
   void press(Session& session, const Pointer& pointer) override;
-  void add_to(Picture& picture, const Session& session) const override;
+  void add_to(Picture& picture, const ViewState& view) const override;
   /// "Distance 3 · dx 1 · …"; empty before the first pick.
   const std::string& result() const { return result_; }
 

@@ -45,7 +45,7 @@ std::string ModalTransform::title() const {
   return name_of(mode_);
 }
 
-std::string ModalTransform::hint(const Session&) const {
+std::string ModalTransform::hint(const ViewState&) const {
   return std::string(
              "X, Y or Z: along an axis (again: its own) \u00B7 Shift+X\u2026: across it "
              "\u00B7 type a number") +
@@ -119,19 +119,19 @@ HandleChange ModalTransform::by_numbers() const {
   return change;
 }
 
-double ModalTransform::factor(const Session& session) const {
-  const glm::dvec2 pivot(session.view.camera.project(handles_->origin, session.view.picture_size));
+double ModalTransform::factor(const ViewState& view) const {
+  const glm::dvec2 pivot(view.camera.project(handles_->origin, view.picture_size));
   const double from = std::max(10.0, glm::distance(start_.at, pivot));
   return std::max(0.01, glm::distance(now_.at, pivot) / from);
 }
 
-HandleChange ModalTransform::by_pointer(const Session& session) {
+HandleChange ModalTransform::by_pointer(const ViewState& view) {
   HandleChange change;
-  const Camera& camera = session.view.camera;
-  const glm::dvec2 pivot(camera.project(handles_->origin, session.view.picture_size));
+  const Camera& camera = view.camera;
+  const glm::dvec2 pivot(camera.project(handles_->origin, view.picture_size));
   if (mode_ == HandleMode::scale) {
     for (int axis = 0; axis < 3; ++axis)
-      if (is_free(axis)) change.scale[axis] = factor(session);
+      if (is_free(axis)) change.scale[axis] = factor(view);
     return change;
   }
   const double angle = angle_of(now_.at - pivot), turn = glm::two_pi<double>();
@@ -153,7 +153,7 @@ void ModalTransform::show(Session& session) {
         session.view.camera.project(handles_->origin, session.view.picture_size));
     pull_->pull(session, pivot + now_.at - start_.at, snapping, targets_);
   } else {
-    pull_->show(session, by_pointer(session), snapping, targets_);
+    pull_->show(session, by_pointer(session.view), snapping, targets_);
   }
   session.interface.dragging = told();
 }
@@ -218,7 +218,8 @@ void ModalTransform::text(Session& session, const std::string& typed) {
 
 std::string ModalTransform::told() const {
   std::string text = pull_->state().text;
-  if (axis_) {
+  // A turn says its axis already.
+  if (axis_ && !(mode_ == HandleMode::rotate && axes_ == Axes::world)) {
     const std::string own = axes_ == Axes::own ? "own " : "";
     text += std::string("   ") +
             (plane_                        ? "across "
@@ -237,8 +238,8 @@ std::string ModalTransform::told() const {
   return text;
 }
 
-void ModalTransform::add_to(Picture& picture, const Session& session) const {
-  const Theme& colours = theme(session.view.dark);
+void ModalTransform::add_to(Picture& picture, const ViewState& view) const {
+  const Theme& colours = theme(view.dark);
   const Colour of_axis[] = {colours.handle_x, colours.handle_y, colours.handle_z};
   const glm::dvec3 origin = handles_->origin;
   const double far = 12 * handles_->size;
@@ -251,7 +252,7 @@ void ModalTransform::add_to(Picture& picture, const Session& session) const {
                                true});
   PullState state = pull_->state();
   state.text = told();
-  add_marks(picture, session.view, pull_->handles(), state);
+  add_marks(picture, view, pull_->handles(), state);
 }
 
 }  // namespace sectile::viewer

@@ -18,22 +18,22 @@ class ModalTransform : public PictureTool {
 
   Mouse mouse() const override { return Mouse::all; }
   std::string title() const override;
-  std::string hint(const Session& session) const override;
+  std::string hint(const ViewState& view) const override;
   void follow(Session& session, const Pointer& pointer) override;
   void press(Session& session, const Pointer& pointer) override;
   bool key(Session& session, const Event& event) override;
   void text(Session& session, const std::string& typed) override;
   void give_up(Session& session) override;
-  void add_to(Picture& picture, const Session& session) const override;
+  void add_to(Picture& picture, const ViewState& view) const override;
 
  private:
   enum class Axes { world, own };
   void start_again(Session& session);
   void constrain(Session& session, int axis, bool plane);
   void show(Session& session);
-  HandleChange by_pointer(const Session& session);
+  HandleChange by_pointer(const ViewState& view);
   HandleChange by_numbers() const;
-  double factor(const Session& session) const;
+  double factor(const ViewState& view) const;
   bool has_numbers() const;
   bool is_free(int axis) const;
   HandlePart part() const;

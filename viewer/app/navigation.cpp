@@ -107,7 +107,7 @@ void Navigation::text(Session& session, const std::string& typed) {
 
 void Navigation::add_to(Picture& picture, const Session& session) const {
   const State& state = *state_;
-  if (session.interface.tool) return session.interface.tool->add_to(picture, session);
+  if (session.interface.tool) return session.interface.tool->add_to(picture, session.view);
   const std::optional<Handles> handles = state.drag ? state.drag->handles() : handles_of(session);
   if (!handles) return;
   HandlePicture drawn = draw(*handles, state.drag ? state.drag->part() : state.hovered,

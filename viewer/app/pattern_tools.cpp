@@ -82,7 +82,7 @@ std::string AxisTool::title() const {
   return is_mirror() ? "Mirror" : "Polar array";
 }
 
-std::string AxisTool::hint(const Session&) const {
+std::string AxisTool::hint(const ViewState&) const {
   if (is_mirror())
     return std::string(
                "Click a face: its plane is the mirror \u00B7 X, Y, Z: the plane across this "
@@ -135,11 +135,11 @@ bool AxisTool::key(Session& session, const Event& event) {
   return true;
 }
 
-void AxisTool::add_to(Picture& picture, const Session& session) const {
-  if (hovered_) add_spot(picture, *hovered_, theme(session.view.dark).hover);
+void AxisTool::add_to(Picture& picture, const ViewState& view) const {
+  if (hovered_) add_spot(picture, *hovered_, theme(view.dark).hover);
 }
 
-std::string PathTool::hint(const Session&) const {
+std::string PathTool::hint(const ViewState&) const {
   if (path_.empty()) return "Click where the path begins: a vertex, an edge, a face or the ground.";
   return "Click its next corner \u00B7 Backspace: back \u00B7 Enter: done (" +
          std::to_string(path_.size()) + (path_.size() == 1 ? " point)" : " points)");
@@ -192,8 +192,8 @@ bool PathTool::key(Session& session, const Event& event) {
   return true;
 }
 
-void PathTool::add_to(Picture& picture, const Session& session) const {
-  const Theme& colours = theme(session.view.dark);
+void PathTool::add_to(Picture& picture, const ViewState& view) const {
+  const Theme& colours = theme(view.dark);
   std::vector<glm::vec3> corners;
   for (const Vec3& p : path_) corners.emplace_back(to_glm(p));
   if (next_) corners.emplace_back(to_glm(*next_));

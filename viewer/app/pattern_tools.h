@@ -19,11 +19,11 @@ class AxisTool : public PictureTool {
  public:
   explicit AxisTool(Pattern::Kind kind) { pattern_.kind = kind; }
   std::string title() const override;
-  std::string hint(const Session& session) const override;
+  std::string hint(const ViewState& view) const override;
   void follow(Session& session, const Pointer& pointer) override;
   void press(Session& session, const Pointer& pointer) override;
   bool key(Session& session, const Event& event) override;
-  void add_to(Picture& picture, const Session& session) const override;
+  void add_to(Picture& picture, const ViewState& view) const override;
 
  private:
   bool is_mirror() const { return pattern_.kind == Pattern::Kind::mirror; }
@@ -38,11 +38,11 @@ class AxisTool : public PictureTool {
 class PathTool : public PictureTool {
  public:
   std::string title() const override { return "Array along a path"; }
-  std::string hint(const Session& session) const override;
+  std::string hint(const ViewState& view) const override;
   void follow(Session& session, const Pointer& pointer) override;
   void press(Session& session, const Pointer& pointer) override;
   bool key(Session& session, const Event& event) override;
-  void add_to(Picture& picture, const Session& session) const override;
+  void add_to(Picture& picture, const ViewState& view) const override;
 
  private:
   std::optional<Vec3> place_at(const Session& session, const Pointer& pointer);

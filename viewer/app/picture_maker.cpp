@@ -19,11 +19,12 @@ bool is_operation(const Node& node) {
 }
 
 /// The operation whose operands are drawn with it: the selected one, or the one right above.
-NodeId worked_on(const Session& session) {
-  const Node* node = session.scene().find(session.selected());
+NodeId worked_on(const Document& document) {
+  const Scene& scene = document.scene();
+  const Node* node = scene.find(document.selected());
   if (!node) return 0;
   if (is_operation(*node)) return node->id;
-  for (node = session.scene().find(node->parent); node; node = session.scene().find(node->parent))
+  for (node = scene.find(node->parent); node; node = scene.find(node->parent))
     if (is_operation(*node)) return node->id;
   return 0;
 }
@@ -33,7 +34,7 @@ class ShapeCollector {
   explicit ShapeCollector(const Session& session)
       : session_(session),
         theme_(theme(session.view.dark)),
-        worked_on_(worked_on(session)),
+        worked_on_(worked_on(session.document)),
         chosen_(session.topmost_selected()) {}
 
   std::vector<Shape> run() {
@@ -197,7 +198,7 @@ Picture PictureMaker::model(const Session& session) const {
   for (const Shape& shape : shapes) picture.surfaces.push_back(shape.surface);
   if (session.view.labels) add_labels(session, shapes, picture);
   if (session.view.dimensions || session.document.has_draft())
-    add_dimensions(picture, session, shapes);
+    add_dimensions(picture, session.document, session.view, shapes);
   explain_colours(session, picture);
   return picture;
 }
@@ -280,7 +281,8 @@ Bounds Session::bounds_shown(bool selected_only) const {
 
 bool Session::shows_operands() const {
   if (view.presented != 0 && selection().empty()) return true;
-  return view.shown != Shown::result && (worked_on(*this) != 0 || topmost_selected().size() >= 2);
+  return view.shown != Shown::result &&
+         (worked_on(document) != 0 || topmost_selected().size() >= 2);
 }
 
 }  // namespace sectile::viewer

@@ -11,6 +11,7 @@
 namespace sectile::viewer {
 
 class Session;
+struct ViewState;
 
 /// Where the pointer is in the picture, and what is held with it.
 struct Pointer {
@@ -28,7 +29,7 @@ class PictureTool {
   virtual Mouse mouse() const { return Mouse::clicks; }
   virtual std::string title() const = 0;
   /// What to do next, in one sentence; shown while the tool is there.
-  virtual std::string hint(const Session& session) const = 0;
+  virtual std::string hint(const ViewState& view) const = 0;
 
   virtual void follow(Session&, const Pointer&) {}  ///< every frame in which the pointer moved
   virtual void press(Session&, const Pointer&) {}   ///< the left button, or the click
@@ -37,7 +38,7 @@ class PictureTool {
   virtual bool key(Session&, const Event&) { return false; }
   virtual void text(Session&, const std::string&) {}
   virtual void give_up(Session&) {}  ///< Esc, or another tool begins
-  virtual void add_to(Picture&, const Session&) const {}
+  virtual void add_to(Picture&, const ViewState&) const {}
 
   bool is_done() const { return done_; }
 

@@ -31,7 +31,7 @@ struct Boxed {
 std::vector<Boxed> boxes_of(const Session& session, const Selection& nodes) {
   std::vector<Boxed> made;
   for (const NodeId id : nodes)
-    if (ExactBox box = exact_box_of(session, id); !box.is_empty())
+    if (ExactBox box = exact_box_of(session.scene(), session.results, id); !box.is_empty())
       made.push_back({id, std::move(box)});
   return made;
 }
@@ -126,23 +126,21 @@ std::vector<Command> place_commands() {
        "Click two faces: the first one's solid is turned and moved until they touch.",
        "",
        {{'F', false, true}},
-       [](Session& s) { s.begin_tool(std::make_unique<FaceOnFace>(FlushOptions{})); },
+       begins<FaceOnFace>(FlushOptions{}),
        in_model},
       {"place.face_centred",
        "Face centred on face",
        "The same, with the middle of the one face on the middle of the other.",
        "",
        {},
-       [](Session& s) {
-         s.begin_tool(std::make_unique<FaceOnFace>(FlushOptions{true, false}));
-       },
+       begins<FaceOnFace>(FlushOptions{true, false}),
        in_model},
       {"place.edge_on_edge",
        "Edge on edge",
        "Click two edges: the first one's solid is turned and moved until they lie on each other.",
        "",
        {{'E', false, true}},
-       [](Session& s) { s.begin_tool(std::make_unique<EdgeOnEdge>()); },
+       begins<EdgeOnEdge>(),
        in_model},
       {"place.ground",
        "Put on the ground",

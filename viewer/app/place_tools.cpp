@@ -99,14 +99,14 @@ void PlaceTool::give_up(Session& session) {
   session.interface.dragging.clear();
 }
 
-void PlaceTool::add_to(Picture& picture, const Session& session) const {
-  const Theme& colours = theme(session.view.dark);
+void PlaceTool::add_to(Picture& picture, const ViewState& view) const {
+  const Theme& colours = theme(view.dark);
   if (hovered_) add_spot(picture, *hovered_, colours.hover);
   if (first_ && !second_) add_spot(picture, *first_, colours.b);
   if (second_) add_spot(picture, *second_, colours.step);
 }
 
-std::string FaceOnFace::hint(const Session&) const {
+std::string FaceOnFace::hint(const ViewState&) const {
   if (!has_first()) return "Click the face that is to be moved.";
   if (!has_both()) return "Click the face on which it is to lie.";
   return std::string(is_exact() ? "Exact" : "Near, not exact (sums of two doubles cannot say it)") +
@@ -131,7 +131,7 @@ bool FaceOnFace::option(char letter) {
   return letter == 'C' || letter == 'T';
 }
 
-std::string EdgeOnEdge::hint(const Session&) const {
+std::string EdgeOnEdge::hint(const ViewState&) const {
   if (!has_first()) return "Click the edge that is to be moved, near the end that matters.";
   if (!has_both()) return "Click the edge on which it is to lie, near the end that it is to meet.";
   return std::string(is_exact() ? "Exact" : "Near, not exact (sums of two doubles cannot say it)") +

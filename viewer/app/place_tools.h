@@ -16,7 +16,7 @@ class PlaceTool : public PictureTool {
   void press(Session& session, const Pointer& pointer) override;
   bool key(Session& session, const Event& event) override;
   void give_up(Session& session) override;
-  void add_to(Picture& picture, const Session& session) const override;
+  void add_to(Picture& picture, const ViewState& view) const override;
 
  protected:
   virtual std::optional<PickedSpot> pick(const Session& session, glm::dvec2 pixel) = 0;
@@ -41,7 +41,7 @@ class FaceOnFace : public PlaceTool {
  public:
   explicit FaceOnFace(FlushOptions options) : options_(options) {}
   std::string title() const override { return "Face on face"; }
-  std::string hint(const Session& session) const override;
+  std::string hint(const ViewState& view) const override;
 
  protected:
   std::optional<PickedSpot> pick(const Session& session, glm::dvec2 pixel) override;
@@ -56,7 +56,7 @@ class FaceOnFace : public PlaceTool {
 class EdgeOnEdge : public PlaceTool {
  public:
   std::string title() const override { return "Edge on edge"; }
-  std::string hint(const Session& session) const override;
+  std::string hint(const ViewState& view) const override;
 
  protected:
   std::optional<PickedSpot> pick(const Session& session, glm::dvec2 pixel) override;

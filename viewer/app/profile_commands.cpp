@@ -15,7 +15,7 @@ namespace {
 class ProfileOnFace : public PictureTool {
  public:
   std::string title() const override { return "Profile on a face"; }
-  std::string hint(const Session&) const override { return "Click the face to draw upon."; }
+  std::string hint(const ViewState&) const override { return "Click the face to draw upon."; }
   void follow(Session& session, const Pointer& pointer) override {
     hovered_ = picker_.face_at(session, pointer.at);
   }
@@ -33,11 +33,11 @@ class ProfileOnFace : public PictureTool {
       const Vec3 p = back(end);
       guides.push_back({p.x, p.y});
     }
-    session.interface.profile.begin_new(Primitive::Shape::extrusion, placement, std::move(guides));
+    session.interface.profile.begin_new(ProfileUse::extruded, placement, std::move(guides));
     finish();
   }
-  void add_to(Picture& picture, const Session& session) const override {
-    if (hovered_) add_spot(picture, *hovered_, theme(session.view.dark).hover);
+  void add_to(Picture& picture, const ViewState& view) const override {
+    if (hovered_) add_spot(picture, *hovered_, theme(view.dark).hover);
   }
 
  private:
@@ -45,7 +45,7 @@ class ProfileOnFace : public PictureTool {
   std::optional<PickedSpot> hovered_;
 };
 
-Command on_plane(const char* name, const char* title, Primitive::Shape shape, const Vec3& normal) {
+Command on_plane(const char* name, const char* title, ProfileUse use, const Vec3& normal) {
   return {name,
           title,
           "Draw an outline with holes; its solid is made from it and the outline can be changed "
@@ -53,38 +53,36 @@ Command on_plane(const char* name, const char* title, Primitive::Shape shape, co
           "",
           {},
           [=](InterfaceState& i) {
-            const bool turns = shape == Primitive::Shape::revolution;
-            i.profile.begin_new(shape, turns ? Placement() : placement_on_plane({}, normal), {});
+            const bool turns = use == ProfileUse::turned;
+            i.profile.begin_new(use, turns ? Placement() : placement_on_plane({}, normal), {});
           }};
 }
 
-bool has_profile(const Session& s) {
-  const Node* node = s.scene().find(s.selected());
+bool has_profile(const Document& d) {
+  const Node* node = d.scene().find(d.selected());
   const auto* primitive = node ? std::get_if<Primitive>(&node->what) : nullptr;
-  return primitive && (primitive->shape == Primitive::Shape::extrusion ||
-                       primitive->shape == Primitive::Shape::revolution);
+  return primitive && primitive->kind->profile != ProfileUse::none;
 }
 
 }  // namespace
 
 std::vector<Command> profile_commands() {
   return {
-      on_plane("profile.xy", "Extrude a profile on the ground (xy)", Primitive::Shape::extrusion,
+      on_plane("profile.xy", "Extrude a profile on the ground (xy)", ProfileUse::extruded,
                {0, 0, 1})
           .after_line(),
-      on_plane("profile.xz", "Extrude a profile in the front plane (xz)",
-               Primitive::Shape::extrusion, {0, -1, 0}),
-      on_plane("profile.yz", "Extrude a profile in the side plane (yz)",
-               Primitive::Shape::extrusion, {1, 0, 0}),
+      on_plane("profile.xz", "Extrude a profile in the front plane (xz)", ProfileUse::extruded,
+               {0, -1, 0}),
+      on_plane("profile.yz", "Extrude a profile in the side plane (yz)", ProfileUse::extruded,
+               {1, 0, 0}),
       {"profile.face",
        "Extrude a profile on a face\u2026",
        "Click a face, then draw an outline upon it.",
        "",
        {{'P', false, true}},
-       [](Session& s) { s.begin_tool(std::make_unique<ProfileOnFace>()); },
+       begins<ProfileOnFace>(),
        [](const Session& s) { return s.mode() == Mode::model && s.scene().size() > 0; }},
-      on_plane("profile.turned", "Turn a profile around the z axis", Primitive::Shape::revolution,
-               {0, 0, 1}),
+      on_plane("profile.turned", "Turn a profile around the z axis", ProfileUse::turned, {0, 0, 1}),
       Command{"profile.edit",
               "Edit the profile\u2026",
               "Changes the outline of the selected extrusion or revolution.",

@@ -2,11 +2,10 @@
 
 namespace sectile::viewer {
 
-void ProfileEditor::begin_new(Primitive::Shape shape, const Placement& at,
-                              std::vector<Vec2> guide_lines) {
+void ProfileEditor::begin_new(ProfileUse use, const Placement& at, std::vector<Vec2> guide_lines) {
   *this = {};
   open = true;
-  primitive.shape = shape;
+  primitive.kind = &primitive_kind(use == ProfileUse::turned ? "revolution" : "extrusion");
   primitive.height = 1;
   placement = at;
   guides = std::move(guide_lines);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "scene/primitive_kind.h"
 #include "scene/profile_sketch.h"
 
 namespace sectile::viewer {
@@ -25,7 +26,8 @@ struct ProfileEditor {
   bool dragging = false;  ///< the selected corner
   bool fit = true;        ///< everything is to be brought into view
 
-  void begin_new(Primitive::Shape shape, const Placement& at, std::vector<Vec2> guide_lines);
+  /// `use`: the profile of an extrusion, or of a revolution.
+  void begin_new(ProfileUse use, const Placement& at, std::vector<Vec2> guide_lines);
   void begin_edit(const Node& node);
 };
 

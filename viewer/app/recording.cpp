@@ -3,7 +3,8 @@
 #include <cstdio>
 #include <glm/gtc/constants.hpp>
 
-#include "app/session.h"
+#include "app/results.h"
+#include "app/view_state.h"
 #include "render/gif.h"
 #include "render/renderer.h"
 
@@ -13,19 +14,19 @@ namespace {
 constexpr std::uint32_t most_pixels = 16384;
 constexpr std::size_t most_bytes = std::size_t{3} << 30;
 
-std::size_t frames_of(const RecordingPlan& plan, const Session& session) {
+std::size_t frames_of(const RecordingPlan& plan, const Results& results) {
   if (plan.kind == RecordingPlan::Kind::turntable) return plan.frames;
   if (plan.kind == RecordingPlan::Kind::picture) return 1;
-  const Story* story = session.results.player.story();
+  const Story* story = results.player.story();
   return story ? story->steps().size() : 0;
 }
 
 }  // namespace
 
-std::string problem_of(const RecordingPlan& plan, const Session& session) {
+std::string problem_of(const RecordingPlan& plan, const Results& results) {
   if (plan.width < 16 || plan.height < 16 || plan.width > most_pixels || plan.height > most_pixels)
     return "Width and height must be from 16 to 16384 pixels.";
-  const std::size_t frames = frames_of(plan, session);
+  const std::size_t frames = frames_of(plan, results);
   if (plan.kind == RecordingPlan::Kind::steps && frames == 0)
     return "There are no steps to film: show the steps of an operation first (Tab).";
   if (frames == 0) return "A film needs at least one frame.";
@@ -50,31 +51,31 @@ void write_recording(const RecordingPlan& plan, const std::vector<Image>& images
     write_png(numbered(plan.path, i, images.size()).string(), images[i]);
 }
 
-Recording::Recording(RecordingPlan plan, Session& session)
+Recording::Recording(RecordingPlan plan, Results& results, const ViewState& view)
     : plan_(std::move(plan)),
-      frames_(frames_of(plan_, session)),
-      camera_(session.view.camera),
-      step_(session.results.player.step()) {
-  session.results.player.play(false);
+      frames_(frames_of(plan_, results)),
+      camera_(view.camera),
+      step_(results.player.step()) {
+  results.player.play(false);
 }
 
-bool Recording::prepare(Session& session) {
+bool Recording::prepare(Results& results, ViewState& view) {
   if (images_.size() >= frames_) {
-    stop(session);
+    stop(results, view);
     return false;
   }
   if (plan_.kind == RecordingPlan::Kind::turntable) {
     const double part = static_cast<double>(images_.size()) / static_cast<double>(frames_);
-    session.view.camera = camera_;
-    session.view.camera.azimuth = camera_.azimuth + glm::two_pi<double>() * part;
+    view.camera = camera_;
+    view.camera.azimuth = camera_.azimuth + glm::two_pi<double>() * part;
   }
-  if (plan_.kind == RecordingPlan::Kind::steps) session.results.player.go_to(images_.size());
+  if (plan_.kind == RecordingPlan::Kind::steps) results.player.go_to(images_.size());
   return true;
 }
 
-void Recording::stop(Session& session) const {
-  session.view.camera = camera_;
-  if (plan_.kind == RecordingPlan::Kind::steps) session.results.player.go_to(step_);
+void Recording::stop(Results& results, ViewState& view) const {
+  view.camera = camera_;
+  if (plan_.kind == RecordingPlan::Kind::steps) results.player.go_to(step_);
 }
 
 }  // namespace sectile::viewer

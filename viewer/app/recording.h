@@ -10,7 +10,8 @@
 
 namespace sectile::viewer {
 
-class Session;
+class Results;
+struct ViewState;
 
 struct RecordingPlan {
   enum class Kind : std::uint8_t {
@@ -29,7 +30,7 @@ struct RecordingPlan {
 };
 
 /// What is wrong with a plan, in words; empty if nothing is.
-std::string problem_of(const RecordingPlan& plan, const Session& session);
+std::string problem_of(const RecordingPlan& plan, const Results& results);
 /// The file of a numbered frame, counted from 0.
 std::filesystem::path numbered(const std::filesystem::path& path, std::size_t frame,
                                std::size_t frames);
@@ -39,15 +40,15 @@ void write_recording(const RecordingPlan& plan, const std::vector<Image>& images
 /// Goes through the frames of a plan.
 class Recording {
  public:
-  Recording(RecordingPlan plan, Session& session);
+  Recording(RecordingPlan plan, Results& results, const ViewState& view);
   const RecordingPlan& plan() const { return plan_; }
   /// Places camera or step for the next frame; false if all are made: then they stand as before.
-  bool prepare(Session& session);
+  bool prepare(Results& results, ViewState& view);
   void add(Image image) { images_.push_back(std::move(image)); }
   std::vector<Image> take() { return std::move(images_); }
   std::size_t done() const { return images_.size(); }
   std::size_t frames() const { return frames_; }
-  void stop(Session& session) const;  ///< everything as before
+  void stop(Results& results, ViewState& view) const;  ///< everything as before
 
  private:
   RecordingPlan plan_;

@@ -37,6 +37,11 @@ void RepairBench::put(BrokenMesh mesh) {
   if (meshes_.size() == 1) begin();
 }
 
+void RepairBench::come_behind(NodeId one, NodeId other) {
+  for (BrokenMesh& mesh : meshes_)
+    if (mesh.behind == one) mesh.behind = other;
+}
+
 void RepairBench::begin() {
   // A hole is closed unless a person says no: the preview shows with what.
   choice_ = {};

@@ -21,6 +21,8 @@ struct BrokenMesh {
   std::filesystem::path path;
   MeshPart part;  ///< what it is to become, with the mesh of the file
   std::shared_ptr<const InvalidSolid> refusal;
+  /// Its solid comes behind this one of the scene's, as it was asked for; 0: before all.
+  NodeId behind = 0;
 };
 
 class RepairBench {
@@ -42,6 +44,8 @@ class RepairBench {
   std::shared_ptr<const RepairPreview> shared_preview() const { return preview_; }
 
   void close();  ///< done with the first mesh
+  /// Those that wait to come behind the one node are to come behind the other.
+  void come_behind(NodeId one, NodeId other);
   /// Takes what was computed. `wait`: until all of it is.
   void update(bool wait);
   bool is_busy() const;

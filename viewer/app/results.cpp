@@ -54,6 +54,11 @@ const Solid* Results::solid(NodeId id) const {
   return entry && entry->error.empty() && entry->is_computed ? &entry->solid : nullptr;
 }
 
+const Solid* Results::inside(NodeId id) const {
+  const Evaluation::Entry* entry = evaluation_ ? evaluation_->find(id) : nullptr;
+  return entry && entry->error.empty() && !entry->inside.is_empty() ? &entry->inside : nullptr;
+}
+
 std::string Results::error_of(NodeId id) const {
   const Evaluation::Entry* entry = evaluation_ ? evaluation_->find(id) : nullptr;
   return entry ? entry->error : std::string();

@@ -33,6 +33,8 @@ class Results {
   const Evaluation* evaluation() const { return evaluation_.get(); }
   /// Null: not computed, or an error, or a group that no operation uses.
   const Solid* solid(NodeId id) const;
+  /// The same in the node's own coordinates; null also if it is empty.
+  const Solid* inside(NodeId id) const;
   std::string error_of(NodeId id) const;  ///< why there is none, in plain words; or empty
   /// Whose union the solid of a node is: itself, or the members of a group. Empty if there is none.
   std::vector<Solid> members_of(const Scene& scene, NodeId id) const;

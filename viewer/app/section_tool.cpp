@@ -37,10 +37,9 @@ glm::dvec3 tidy(const glm::dvec3& n) {
 
 }  // namespace
 
-Handles section_handles(const Session& session, HandleMode mode) {
-  const glm::dvec4 plane = session.view.section_plane();
+Handles section_handles(const ViewState& view, const Bounds& bounds, HandleMode mode) {
+  const glm::dvec4 plane = view.section_plane();
   const glm::dvec3 n(plane);
-  const Bounds bounds = session.bounds_of_all();
   const glm::dvec3 middle = bounds.is_empty() ? glm::dvec3(0) : bounds.centre();
   Handles handles;
   handles.mode = mode;
@@ -48,12 +47,12 @@ Handles section_handles(const Session& session, HandleMode mode) {
   handles.axes[2] = n;
   handles.axes[0] = across(n);
   handles.axes[1] = glm::cross(n, handles.axes[0]);
-  handles.size = 90 * session.view.camera.pixel_length(handles.origin, session.view.picture_size);
+  handles.size = 90 * view.camera.pixel_length(handles.origin, view.picture_size);
   return handles;
 }
 
-std::string SectionTool::hint(const Session& session) const {
-  const glm::dvec4 p = session.view.section_plane();
+std::string SectionTool::hint(const ViewState& view) const {
+  const glm::dvec4 p = view.section_plane();
   return "Drag the arrow to move the plane, a ring to tilt it (Ctrl: freely); click a face to put "
          "it there \u00B7 X, Y, Z: across this axis \u00B7 T: the other side\n"
          "Normal " +
@@ -61,22 +60,23 @@ std::string SectionTool::hint(const Session& session) const {
          number(p.w == 0 ? 0 : -p.w);
 }
 
-std::optional<HandlePart> SectionTool::part_at(const Session& session, glm::dvec2 pixel) const {
-  const Handles handles = section_handles(session, HandleMode::rotate);
+std::optional<HandlePart> SectionTool::part_at(const ViewState& view, glm::dvec2 pixel) const {
+  const Handles handles = section_handles(view, bounds_, HandleMode::rotate);
   const auto seen = [&](const glm::dvec3& p) {
-    return glm::dvec2(session.view.camera.project(p, session.view.picture_size));
+    return glm::dvec2(view.camera.project(p, view.picture_size));
   };
   const glm::dvec2 tip = seen(handles.origin + handles.size * handles.axes[2]);
   if (distance_to_segment(pixel, seen(handles.origin), tip) <= arrow_reach)
     return HandlePart::axis_z;
-  const auto ring = handles.part_at(session.view.camera, pixel, session.view.picture_size);
+  const auto ring = handles.part_at(view.camera, pixel, view.picture_size);
   const bool tilts = ring == HandlePart::ring_x || ring == HandlePart::ring_y;
   return tilts ? ring : std::nullopt;
 }
 
 void SectionTool::follow(Session& session, const Pointer& pointer) {
+  bounds_ = session.bounds_of_all();
   if (!drag_) {
-    hovered_part_ = part_at(session, pointer.at);
+    hovered_part_ = part_at(session.view, pointer.at);
     face_ = hovered_part_ ? std::nullopt : picker_.face_at(session, pointer.at);
     return;
   }
@@ -98,10 +98,11 @@ void SectionTool::follow(Session& session, const Pointer& pointer) {
 
 void SectionTool::press(Session& session, const Pointer& pointer) {
   session.view.section = true;
-  hovered_part_ = part_at(session, pointer.at);
+  hovered_part_ = part_at(session.view, pointer.at);
   if (hovered_part_) {
     const bool moves = *hovered_part_ == HandlePart::axis_z;
-    const Handles handles = section_handles(session, moves ? HandleMode::move : HandleMode::rotate);
+    const Handles handles =
+        section_handles(session.view, bounds_, moves ? HandleMode::move : HandleMode::rotate);
     start_ = session.view.section_plane();
     origin_ = handles.origin;
     drag_.emplace(handles, *hovered_part_,
@@ -135,16 +136,15 @@ bool SectionTool::key(Session& session, const Event& event) {
   return true;
 }
 
-void SectionTool::add_to(Picture& picture, const Session& session) const {
-  const Theme& colours = theme(session.view.dark);
-  const Handles handles = section_handles(session, HandleMode::rotate);
+void SectionTool::add_to(Picture& picture, const ViewState& view) const {
+  const Theme& colours = theme(view.dark);
+  const Handles handles = section_handles(view, bounds_, HandleMode::rotate);
   const auto part_colour = [&](HandlePart part) {
     const bool active = drag_ ? drag_->part() == part : hovered_part_ == part;
     return active ? colours.handle_active : colours.step;
   };
   // A frame in the plane around everything.
-  const Bounds bounds = session.bounds_of_all();
-  const double half = bounds.is_empty() ? 1 : bounds.radius();
+  const double half = bounds_.is_empty() ? 1 : bounds_.radius();
   const glm::dvec3 u = half * handles.axes[0], v = half * handles.axes[1], o = handles.origin;
   const glm::vec3 a(o - u - v), b(o + u - v), c(o + u + v), d(o - u + v);
   picture.lines.push_back({{a, b, b, c, c, d, d, a}, colours.step, 1.5f, true});

@@ -77,7 +77,12 @@ void Session::set_mode(Mode wanted) {
         "open one of the samples.");
     return;
   }
-  if (mode_ == Mode::steps && wanted == Mode::model) results.player.play(false);
+  if (mode_ == Mode::model && wanted == Mode::steps) camera_of_model_ = view.camera;
+  if (mode_ == Mode::steps && wanted == Mode::model) {
+    results.player.play(false);
+    // Who followed the steps into a corner wants to see the model again.
+    if (view.follow_steps) view.camera = camera_of_model_;
+  }
   mode_ = wanted;
 }
 

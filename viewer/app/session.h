@@ -32,7 +32,9 @@ class Session {
 
   void new_scene();
   void start(Scene scene, std::filesystem::path path);  ///< as it was read from a file
-  void add_imported(const std::filesystem::path& path, std::vector<MeshPart> parts);
+  /// Behind the other solids, or at a place among them. Gives the new nodes.
+  Selection add_imported(const std::filesystem::path& path, const std::vector<MeshPart>& parts,
+                         std::size_t at = SIZE_MAX);
   // Files are read and exported in the background; what went wrong becomes a message.
   void open(const std::filesystem::path& path);    ///< replaces a scene, adds a mesh
   void import(const std::filesystem::path& path);  ///< adds a mesh
@@ -59,12 +61,12 @@ class Session {
   bool is_selected_with_group(NodeId id) const;  ///< it, or a group that it belongs to
   void select(NodeId id, bool add = false);      ///< add: or take away, if it was selected
   void select(Selection ids) { document.select(std::move(ids)); }
-  NodeId selected() const { return selection().empty() ? 0 : selection().back(); }
+  NodeId selected() const { return document.selected(); }
   /// The selected nodes that do not lie below another selected node, in the order of selection.
   Selection topmost_selected() const;
 
   // --- Editing ---
-  void add(Primitive::Shape shape);
+  void add(const PrimitiveKind& kind);
   void combine(Operation operation);
   void split();
   void duplicate_selected();
@@ -139,14 +141,22 @@ class Session {
   void tell_story();
   void frame_once_computed();
   void recover(const LostWork& work);
-  void take_parts(const std::filesystem::path& path, std::vector<MeshPart> parts,
-                  std::vector<BrokenMesh> broken);
+  /// What of a file bounds a solid, and what does not.
+  struct SortedParts {
+    std::vector<MeshPart> sound;
+    std::vector<BrokenMesh> broken;
+    std::vector<std::size_t> sound_before;  ///< each broken one, in the file
+    std::string note;
+  };
+  static SortedParts sorted_parts(const std::filesystem::path& path);
+  void take_parts(const std::filesystem::path& path, const SortedParts& parts);
   void look_at_repair();
 
   FileWork files_;
   std::size_t wished_operand_ = 0;  ///< 0: the last
   Mode mode_ = Mode::model;
   Selection isolated_;  ///< empty: everything is shown
+  Camera camera_of_model_;  ///< while the steps are shown
   Camera camera_before_repair_;
   bool frame_next_ = false;  ///< look at everything as soon as it is computed
 };

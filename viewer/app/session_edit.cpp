@@ -4,39 +4,14 @@
 
 #include "app/session.h"
 #include "app/words.h"
+#include "scene/primitive_kind.h"
 
 namespace sectile::viewer {
-namespace {
-
-/// A profile to start from: an L for extrusions, a ring's cross-section for revolutions.
-Profile first_profile(Primitive::Shape shape) {
-  Profile profile;
-  if (shape == Primitive::Shape::extrusion)
-    profile.outer = {{-1, -1}, {1, -1}, {1, 0}, {0, 0}, {0, 1}, {-1, 1}};
-  else
-    profile.outer = {{0.5, 0}, {1, 0}, {1, 0.5}, {0.75, 1}, {0.5, 1}};
-  return profile;
-}
-
-Primitive first_primitive(Primitive::Shape shape) {
-  Primitive primitive;
-  primitive.shape = shape;
-  if (shape == Primitive::Shape::prism || shape == Primitive::Shape::pyramid)
-    primitive.segments = 6;
-  if (shape == Primitive::Shape::extrusion || shape == Primitive::Shape::revolution)
-    primitive.profile = first_profile(shape);
-  if (shape == Primitive::Shape::extrusion) primitive.height = 1;
-  return primitive;
-}
-
-}  // namespace
-
-void Session::add(Primitive::Shape shape) {
+void Session::add(const PrimitiveKind& kind) {
   NodeId added = 0;
-  const bool done = change("Add " + name_of(shape), [&](Scene& changed) {
+  const bool done = change("Add " + std::string(kind.name), [&](Scene& changed) {
     Node node;
-    node.name = capitalised(name_of(shape));
-    node.what = first_primitive(shape);
+    node.what = first_primitive(kind);
     // Beside what is there, so that the new solid can be seen; on the grid.
     const Bounds bounds = bounds_of_all();
     if (!bounds.is_empty()) node.placement.position.x = std::ceil(bounds.high.x + 1.5);

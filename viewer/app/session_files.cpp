@@ -7,6 +7,7 @@
 
 #include "app/samples_menu.h"
 #include "app/session.h"
+#include "app/words.h"
 #include "scene/scene_file.h"
 #include "sectile/sectile.h"
 
@@ -28,28 +29,14 @@ std::string about_file(const std::string& error) {
   return std::filesystem::path(place).filename().string() + ": " + line + error.substr(colon + 2);
 }
 
-/// Takes those that bound no solid out of the parts.
-std::vector<BrokenMesh> take_broken(const std::filesystem::path& path,
-                                    std::vector<MeshPart>& parts) {
-  std::vector<BrokenMesh> broken;
-  std::erase_if(parts, [&](const MeshPart& part) {
-    try {
-      return Solid::from_mesh(*part.mesh).is_empty();
-    } catch (const InvalidSolid& error) {
-      broken.push_back({path, part, std::make_shared<const InvalidSolid>(error)});
-      return true;
-    }
-  });
-  if (parts.empty() && broken.empty())
-    throw std::runtime_error(path.filename().string() + " holds no solid: it has no faces.");
-  return broken;
-}
-
 }  // namespace
 
 void Session::start(Scene scene, std::filesystem::path path) {
   document.start(std::move(scene), std::move(path));
   results.forget_errors();
+  // What was told of the scene before is not about this one.
+  for (std::size_t i = interface.messages.shown().size(); i-- > 0;)
+    if (!interface.messages.shown()[i].is_error) interface.messages.close(i);
   isolated_.clear();
   mode_ = Mode::model;
   frame_next_ = true;
@@ -86,44 +73,70 @@ void Session::open(const std::filesystem::path& path) {
                 });
 }
 
+Session::SortedParts Session::sorted_parts(const std::filesystem::path& path) {
+  SortedParts sorted;
+  MeshParts read = read_parts(path);
+  sorted.note = std::move(read.note);
+  for (MeshPart& part : read.parts) {
+    try {
+      if (!Solid::from_mesh(*part.mesh).is_empty()) sorted.sound.push_back(std::move(part));
+    } catch (const InvalidSolid& error) {
+      sorted.sound_before.push_back(sorted.sound.size());
+      sorted.broken.push_back({path, std::move(part), std::make_shared<const InvalidSolid>(error)});
+    }
+  }
+  if (sorted.sound.empty() && sorted.broken.empty())
+    throw std::runtime_error(path.filename().string() + " holds no solid: it has no faces.");
+  return sorted;
+}
+
 void Session::import(const std::filesystem::path& path) {
   in_background(FileWork::Kind::reading, "Reading " + path.filename().string() + "\u2026",
                 [this, path]() -> FileWork::Finish {
-                  std::vector<MeshPart> parts = read_parts(path);
-                  std::vector<BrokenMesh> broken = take_broken(path, parts);
-                  return [this, path, parts, broken] { take_parts(path, parts, broken); };
+                  return [this, path, parts = sorted_parts(path)] { take_parts(path, parts); };
                 });
 }
 
-void Session::take_parts(const std::filesystem::path& path, std::vector<MeshPart> parts,
-                         std::vector<BrokenMesh> broken) {
-  if (!parts.empty()) add_imported(path, std::move(parts));
-  if (broken.empty()) return;
+void Session::take_parts(const std::filesystem::path& path, const SortedParts& parts) {
+  const NodeId last = scene().roots().empty() ? 0 : scene().roots().back();
+  Selection added;
+  if (!parts.sound.empty()) added = add_imported(path, parts.sound);
+  if (!parts.note.empty()) interface.messages.tell(parts.note);
+  if (parts.broken.empty()) return;
   if (!results.repair.is_open()) {
     end_tool();
     document.drop_draft();
     set_mode(Mode::model);
     camera_before_repair_ = view.camera;
   }
-  for (BrokenMesh& mesh : broken) results.repair.put(std::move(mesh));
+  for (std::size_t i = 0; i < parts.broken.size(); ++i) {
+    BrokenMesh mesh = parts.broken[i];
+    const std::size_t before = std::min(parts.sound_before[i], added.size());
+    mesh.behind = before == 0 ? last : added[before - 1];
+    results.repair.put(std::move(mesh));
+  }
 }
 
-void Session::add_imported(const std::filesystem::path& path, std::vector<MeshPart> parts) {
+Selection Session::add_imported(const std::filesystem::path& path,
+                                const std::vector<MeshPart>& parts, std::size_t at) {
   const bool first = scene().size() == 0;
   Selection added;
   const bool done = change("Import", [&](Scene& changed) {
-    for (MeshPart& part : parts) {
+    std::size_t place = std::min(at, changed.roots().size());
+    for (const MeshPart& part : parts) {
       Node node;
-      node.name = std::move(part.name);
+      node.name = part.name;
       node.colour = part.colour;
-      node.what = Imported{path, std::move(part.mesh)};
-      added.push_back(changed.add(std::move(node)));
+      node.placement.scale = {part.scale, part.scale, part.scale};
+      node.what = Imported{path, part.mesh};
+      added.push_back(changed.add(std::move(node), 0, place++));
     }
   });
-  if (!done) return;
+  if (!done) return {};
   interface.recent.add(path);
-  select(std::move(added));
+  select(added);
   if (first) frame_next_ = true;
+  return added;
 }
 
 void Session::take_repaired() {
@@ -132,9 +145,16 @@ void Session::take_repaired() {
   MeshPart part = results.repair.subject().part;
   const std::filesystem::path path = results.repair.subject().path;
   part.mesh = preview->mesh;
+  const NodeId behind = results.repair.subject().behind;
   results.repair.close();
   const std::string name = part.name;
-  add_imported(path, {std::move(part)});
+  const auto& roots = scene().roots();
+  const auto place = std::find(roots.begin(), roots.end(), behind);
+  // Behind all, if the one before it is gone.
+  const auto before = std::distance(roots.begin(), place) + (place == roots.end() ? 0 : 1);
+  const std::size_t at = behind == 0 ? 0 : static_cast<std::size_t>(before);
+  const Selection added = add_imported(path, {std::move(part)}, at);
+  if (!added.empty()) results.repair.come_behind(behind, added.front());
   std::string done;
   for (const RepairChange& change : preview->report.changes)
     done += (done.empty() ? ": " : "; ") + in_words(change);
@@ -169,7 +189,10 @@ void Session::open_sample(const std::string& name) {
   const auto& titles = sample_titles();
   const auto found = std::find_if(titles.begin(), titles.end(),
                                   [&](const SampleTitle& t) { return t.name == name; });
-  if (found != titles.end()) interface.messages.tell(found->figure + ": " + found->title);
+  if (found == titles.end()) return;
+  const bool several = found->figure.find(", ") != std::string::npos;
+  interface.messages.tell((several ? "Figures " : "Figure ") + found->figure +
+                          " of the paper: " + found->title);
 }
 
 bool Session::save(const std::filesystem::path& path) {
@@ -274,17 +297,16 @@ void Session::export_all(const std::filesystem::path& path) {
     interface.messages.error("There is nothing to export: no solid is shown.");
     return;
   }
-  in_background(FileWork::Kind::writing,
-                "Writing " + std::to_string(solids.size()) + " solids\u2026",
+  in_background(FileWork::Kind::writing, "Writing " + counted(solids.size(), "solid") + "\u2026",
                 [this, path, solids]() -> FileWork::Finish {
                   Model model;
                   for (const ExportedSolid& exported : solids)
                     model.meshes.push_back(mesh_of(exported, numbers_of(format_of(path))));
                   const std::size_t files = write_solids(path, model);
                   return [this, path, files, count = solids.size()] {
-                    interface.messages.tell(std::to_string(count) + " solids exported to " +
+                    interface.messages.tell(counted(count, "solid") + " exported to " +
                                             (files == 1 ? path.filename().string()
-                                                        : std::to_string(files) + " files in " +
+                                                        : counted(files, "file") + " in " +
                                                               path.parent_path().string()) +
                                             ".");
                   };
@@ -302,9 +324,9 @@ void Session::choose_recording_file() {
 }
 
 void Session::record(const RecordingPlan& plan) {
-  if (const std::string problem = problem_of(plan, *this); !problem.empty())
+  if (const std::string problem = problem_of(plan, results); !problem.empty())
     return interface.messages.error(problem);
-  interface.recording.emplace(plan, *this);
+  interface.recording.emplace(plan, results, view);
 }
 
 void Session::write_recorded() {

@@ -25,6 +25,7 @@ void Session::frame_once_computed() {
   if (!frame_next_ || scene().size() == 0 || is_busy() || bounds_of_all().is_empty()) return;
   frame_next_ = false;
   look_at_all();
+  camera_of_model_ = view.camera;
 }
 
 NodeId Session::story_node() const {
@@ -108,7 +109,7 @@ double Session::progress() const {
 
 void Session::cancel() {
   if (interface.recording) {
-    interface.recording->stop(*this);
+    interface.recording->stop(results, view);
     interface.recording.reset();
     interface.messages.tell("Cancelled. Nothing was recorded.");
     return;

@@ -33,13 +33,6 @@ ExactTransform way_up(const Scene& scene, NodeId id, NodeId top) {
   return way_up(scene, node.parent, top) * node.placement.exact();
 }
 
-/// The solid that a node stands for, if it is not merely a group.
-const Solid* inside_of(const Session& session, NodeId id) {
-  const Evaluation::Entry* entry =
-      session.results.evaluation() ? session.results.evaluation()->find(id) : nullptr;
-  return entry && entry->error.empty() && !entry->inside.is_empty() ? &entry->inside : nullptr;
-}
-
 bool come_near(const Bounds& a, const Bounds& b, double reach) {
   return glm::all(glm::lessThanEqual(a.low - reach, b.high)) &&
          glm::all(glm::lessThanEqual(b.low - reach, a.high));
@@ -66,25 +59,24 @@ void KnownTargets::forget_unused() {
   for (auto& [key, known] : known_) known.used = false;
 }
 
-SnapScene::SnapScene(const Session& session, const Selection& nodes, KnownTargets& known)
-    : known_(known), nodes_(nodes), operation_(operation_above(session.scene(), nodes)) {
-  const Scene& scene = session.scene();
+SnapScene::SnapScene(const Scene& scene, const Results& results, const Selection& nodes,
+                     KnownTargets& known)
+    : known_(known), nodes_(nodes), operation_(operation_above(scene, nodes)) {
   if (operation_ != 0) frame_ = scene.world(operation_);
   into_frame_ =
       operation_ != 0 ? scene.exact_world(operation_).inverse() : std::optional(ExactTransform());
   known_.forget_unused();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     parents_.push_back(way_up(scene, scene.at(nodes[i]).parent, operation_));
-    bounds_.add(session.bounds_of(nodes[i]));
-    add_dragged(session, nodes[i], i, {});
+    bounds_.add(results.bounds_of(scene, nodes[i]));
+    add_dragged(scene, results, nodes[i], i, {});
   }
-  for (const NodeId root : scene.roots()) add_others(session, root, operation_ == 0);
+  for (const NodeId root : scene.roots()) add_others(scene, results, root, operation_ == 0);
 }
 
-void SnapScene::add_dragged(const Session& session, NodeId id, std::size_t node,
+void SnapScene::add_dragged(const Scene& scene, const Results& results, NodeId id, std::size_t node,
                             const ExactTransform& way) {
-  const Scene& scene = session.scene();
-  if (const Solid* inside = inside_of(session, id)) {
+  if (const Solid* inside = results.inside(id)) {
     const ExactTransform place = parents_[node] * scene.at(nodes_[node]).placement.exact() * way;
     dragged_.add(snap_features(*inside, place.nearest()),
                  static_cast<std::uint32_t>(parts_.size()));
@@ -92,7 +84,7 @@ void SnapScene::add_dragged(const Session& session, NodeId id, std::size_t node,
     return;
   }
   for (const NodeId child : scene.at(id).children)
-    add_dragged(session, child, node, way * scene.at(child).placement.exact());
+    add_dragged(scene, results, child, node, way * scene.at(child).placement.exact());
 }
 
 ExactTransform SnapScene::place_in_frame(const Scene& scene, NodeId id, bool in_frame) const {
@@ -101,19 +93,19 @@ ExactTransform SnapScene::place_in_frame(const Scene& scene, NodeId id, bool in_
   return inverse(frame_) * scene.world(id);
 }
 
-void SnapScene::add_others(const Session& session, NodeId id, bool in_frame) {
-  const Scene& scene = session.scene();
+void SnapScene::add_others(const Scene& scene, const Results& results, NodeId id, bool in_frame) {
   const Node& node = scene.at(id);
   if (!node.visible || std::count(nodes_.begin(), nodes_.end(), id)) return;
   const bool leads_to_dragged = std::any_of(
       nodes_.begin(), nodes_.end(), [&](NodeId dragged) { return scene.is_below(dragged, id); });
-  const Solid* inside = leads_to_dragged ? nullptr : inside_of(session, id);
+  const Solid* inside = leads_to_dragged ? nullptr : results.inside(id);
   if (inside) {
-    others_.push_back({*inside, place_in_frame(scene, id, in_frame), session.bounds_of(id),
+    others_.push_back({*inside, place_in_frame(scene, id, in_frame), results.bounds_of(scene, id),
                        in_frame || into_frame_.has_value(), nullptr});
     return;
   }
-  for (const NodeId child : node.children) add_others(session, child, in_frame || id == operation_);
+  for (const NodeId child : node.children)
+    add_others(scene, results, child, in_frame || id == operation_);
 }
 
 std::vector<DraggedNode> SnapScene::dragged_nodes(const Scene& scene) const {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/session.h"
+#include "app/results.h"
 #include "scene/snapping.h"
 
 namespace sectile::viewer {
@@ -34,7 +34,8 @@ class KnownTargets {
 class SnapScene {
  public:
   /// `nodes` are dragged; `known` outlives this.
-  SnapScene(const Session& session, const Selection& nodes, KnownTargets& known);
+  SnapScene(const Scene& scene, const Results& results, const Selection& nodes,
+            KnownTargets& known);
 
   /// From the coordinates of the contacts to the world's, and from those that a dragged node's
   /// placement stands in.
@@ -61,8 +62,9 @@ class SnapScene {
     bool is_known = true;
     std::shared_ptr<const SnapTargets> targets;  // once it came near
   };
-  void add_dragged(const Session& session, NodeId id, std::size_t node, const ExactTransform& way);
-  void add_others(const Session& session, NodeId id, bool in_frame);
+  void add_dragged(const Scene& scene, const Results& results, NodeId id, std::size_t node,
+                   const ExactTransform& way);
+  void add_others(const Scene& scene, const Results& results, NodeId id, bool in_frame);
   ExactTransform place_in_frame(const Scene& scene, NodeId id, bool in_frame) const;
 
   KnownTargets& known_;

@@ -8,10 +8,10 @@ std::vector<Command> step_commands() {
   const auto in_steps = [](const Session& s) {
     return s.mode() == Mode::steps && s.results.player.story() != nullptr;
   };
-  const auto change_phase = [](Session& s, int by) {
-    const int phase = static_cast<int>(s.results.player.phase()) + by;
+  const auto change_phase = [](StoryPlayer& player, int by) {
+    const int phase = static_cast<int>(player.phase()) + by;
     if (phase >= 0 && phase <= static_cast<int>(Phase::cleanup))
-      s.results.player.go_to(static_cast<Phase>(phase), 0);
+      player.go_to(static_cast<Phase>(phase), 0);
   };
   return {
       {"mode.model",
@@ -105,14 +105,14 @@ std::vector<Command> step_commands() {
        "To the first step of the next phase.",
        "",
        {{Key::page_down}},
-       [change_phase](Session& s) { change_phase(s, 1); },
+       [change_phase](Results& r) { change_phase(r.player, 1); },
        in_steps},
       {"steps.previous_phase",
        "Previous phase",
        "To the first step of the phase before.",
        "",
        {{Key::page_up}},
-       [change_phase](Session& s) { change_phase(s, -1); },
+       [change_phase](Results& r) { change_phase(r.player, -1); },
        in_steps},
       {"steps.follow",
        "Camera follows",

@@ -46,13 +46,13 @@ std::vector<Command> view_commands() {
        "Brings the selected solids, or all, into the picture.",
        icons::expand,
        {{'F'}},
-       [](Session& s) { s.look_at_selection(); }},
+       &Session::look_at_selection},
       {"view.all",
        "Show all",
        "Brings everything into the picture.",
        icons::home,
        {{Key::home}},
-       [](Session& s) { s.look_at_all(); }},
+       &Session::look_at_all},
       look_from("view.front", "Front", '1', -pi / 2, 0),
       look_from("view.back", "Back", {'1', true}, pi / 2, 0),
       look_from("view.right", "Right", '3', 0, 0),
@@ -64,9 +64,9 @@ std::vector<Command> view_commands() {
        "Shows only what is selected; again: everything.",
        "",
        {{'/'}},
-       [](Session& s) { s.isolate_selected(); },
+       &Session::isolate_selected,
        [](const Session& s) { return s.is_isolating() || !s.selection().empty(); },
-       [](const Session& s) { return s.is_isolating(); }},
+       &Session::is_isolating},
       {"view.orthographic",
        "Parallel lines stay parallel",
        "Without perspective.",
@@ -80,7 +80,7 @@ std::vector<Command> view_commands() {
               "Click vertices, edges and faces: shows distances, angles and radii.",
               "",
               {{'M', false, true}},
-              [](Session& s) { s.begin_tool(std::make_unique<MeasureTool>()); },
+              begins<MeasureTool>(),
               [](const Session& s) { return s.mode() == Mode::model && s.scene().size() > 0; }}
           .after_line(),
       view_switch("view.dimensions", "Box and dimensions",
@@ -115,7 +115,7 @@ std::vector<Command> view_commands() {
            const Bounds bounds = s.bounds_of_all();
            if (!bounds.is_empty()) s.view.set_section({0, -1, 0}, -bounds.centre().y);
          }
-         s.begin_tool(std::make_unique<SectionTool>());
+         s.begin_tool(std::make_unique<SectionTool>(s.bounds_of_all()));
        },
        [](const Session& s) { return s.mode() == Mode::model && s.scene().size() > 0; }},
       view_switch("view.grid", "Grid", "Shows the ground grid.", {}, &ViewSettings::grid),

@@ -4,34 +4,9 @@
 #include <cstdio>
 
 #include "app/icons.h"
+#include "scene/primitive_kind.h"
 
 namespace sectile::viewer {
-
-std::string name_of(Primitive::Shape shape) {
-  switch (shape) {
-    case Primitive::Shape::block:
-      return "block";
-    case Primitive::Shape::wedge:
-      return "wedge";
-    case Primitive::Shape::prism:
-      return "prism";
-    case Primitive::Shape::pyramid:
-      return "pyramid";
-    case Primitive::Shape::cylinder:
-      return "cylinder";
-    case Primitive::Shape::cone:
-      return "cone";
-    case Primitive::Shape::sphere:
-      return "sphere";
-    case Primitive::Shape::torus:
-      return "torus";
-    case Primitive::Shape::extrusion:
-      return "extrusion";
-    case Primitive::Shape::revolution:
-      return "revolution";
-  }
-  return {};
-}
 
 std::string name_of(Operation operation) {
   switch (operation) {
@@ -71,7 +46,7 @@ std::string icon_of(Operation operation) {
 
 std::string kind_of(const Node& node) {
   struct Kind {
-    std::string operator()(const Primitive& p) const { return name_of(p.shape); }
+    std::string operator()(const Primitive& p) const { return std::string(p.kind->name); }
     std::string operator()(const Imported&) const { return "mesh"; }
     std::string operator()(const BooleanNode& b) const {
       switch (b.operation) {
@@ -135,6 +110,10 @@ std::string count(std::size_t n) {
     digits.insert(at, "\u00A0");
   }
   return digits;
+}
+
+std::string counted(std::size_t n, const std::string& thing) {
+  return count(n) + " " + thing + (n == 1 ? "" : "s");
 }
 
 }  // namespace sectile::viewer

@@ -8,7 +8,6 @@
 
 namespace sectile::viewer {
 
-std::string name_of(Primitive::Shape shape);
 std::string name_of(Operation operation);
 std::string sign_of(Operation operation);  ///< ∪ ∩ \ in UTF-8
 std::string icon_of(Operation operation);  ///< the same as a Venn diagram
@@ -17,12 +16,9 @@ std::string title_of(Phase phase);         ///< for the time line
 std::string capitalised(std::string text);
 std::string number(double value);  ///< short, and says "about" nothing
 std::string count(std::size_t n);  ///< thousands apart
+/// "1 face", "12 faces".
+std::string counted(std::size_t n, const std::string& thing);
 
-inline constexpr Primitive::Shape all_shapes[] = {
-    Primitive::Shape::block,     Primitive::Shape::wedge,    Primitive::Shape::prism,
-    Primitive::Shape::pyramid,   Primitive::Shape::cylinder, Primitive::Shape::cone,
-    Primitive::Shape::sphere,    Primitive::Shape::torus,    Primitive::Shape::extrusion,
-    Primitive::Shape::revolution};
 inline constexpr Phase all_phases[] = {Phase::reduction,  Phase::vertex_face, Phase::vertex_vertex,
                                        Phase::null_edges, Phase::joining,     Phase::components,
                                        Phase::gluing,     Phase::cleanup};

@@ -21,7 +21,7 @@ std::filesystem::path write_film(const Arguments& arguments) {
   }
   std::vector<Image> images;
   with_still_modeller(shown, [&](App& app) {
-    if (const std::string problem = problem_of(plan, app.session()); !problem.empty())
+    if (const std::string problem = problem_of(plan, app.session().results); !problem.empty())
       throw std::invalid_argument(problem);
     images = app.film(plan);
   });

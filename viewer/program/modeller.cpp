@@ -36,9 +36,9 @@ void open_all_or_throw(App& app, const Arguments& arguments) {
     if (is_scene_file(file)) {
       app.start(read_scene(file).scene, file);
     } else {
-      std::vector<MeshPart> parts = read_parts(file);
+      const std::vector<MeshPart> parts = read_parts(file).parts;
       for (const MeshPart& part : parts) solid_of_file(file, *part.mesh);
-      app.add(file, std::move(parts));
+      app.add(file, parts);
     }
   }
 }

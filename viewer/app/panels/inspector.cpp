@@ -121,7 +121,7 @@ int draw_table(PanelContext& context, const Row& columns, const std::vector<Row>
   ImGui::PushFont(context.fonts.small);
   const float room = ImGui::GetContentRegionAvail().x;
   const std::vector<float> widths = column_widths(columns, rows, room);
-  float height = row_height(columns, widths) + 2, width = 1;
+  float height = row_height(columns, widths), width = 1;
   for (const Row& row : rows) height += row_height(row, widths);
   for (const float column : widths) width += column + 2 * ImGui::GetStyle().CellPadding.x + 1;
   if (width > room) height += ImGui::GetStyle().ScrollbarSize;
@@ -259,8 +259,10 @@ void draw_heading(PanelContext& context, const Step& step) {
 }  // namespace
 
 void draw_inspector(PanelContext& context) {
-  begin_panel(context, "inspector", context.layout.inspector);
   const Step* step = context.session.results.player.current();
+  // Of a step, the words alone scroll.
+  begin_panel(context, "inspector", context.layout.inspector,
+              step ? ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse : 0);
   context.session.interface.lit_row = -1;
   if (!step) {
     draw_waiting(context);

@@ -88,8 +88,8 @@ void draw_more(PanelContext& context, float x, float y, float width) {
 void draw_messages(PanelContext& context) {
   Session& session = context.session;
   const Rectangle& picture = context.layout.picture;
-  // Beside the view settings, if they are open.
-  const float taken = session.interface.view_panel ? 260.0f : 0.0f;
+  // Beside the view settings, if they are open, else beside the view cube.
+  const float taken = session.interface.view_panel ? 260.0f : 94.0f;
   const float width = std::min(460.0f, picture.width - 16 - taken);
   float y = picture.y + 8;
   for (std::size_t i = 0; i < session.interface.messages.shown().size(); ++i) {

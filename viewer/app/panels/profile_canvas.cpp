@@ -180,7 +180,7 @@ class Canvas {
       const float at = on_screen({0, y}).y;
       list.AddLine({low_.x, at}, {low_.x + size_.x, at}, std::abs(y) < step / 2 ? thick : thin);
     }
-    if (editor_.primitive.shape == Primitive::Shape::revolution) {
+    if (editor_.primitive.kind->profile == ProfileUse::turned) {
       const float at = on_screen({0, 0}).x;
       list.AddLine({at, low_.y}, {at, low_.y + size_.y}, packed(context_.theme.handle_z), 2);
     }

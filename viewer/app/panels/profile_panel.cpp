@@ -52,7 +52,7 @@ class ProfilePanel {
   }
 
   void draw_numbers() {
-    if (editor_.primitive.shape == Primitive::Shape::extrusion) {
+    if (editor_.primitive.kind->profile == ProfileUse::extruded) {
       field("Height", "profile.height", editor_.primitive.height);
     } else {
       ImGui::AlignTextToFramePadding();

@@ -3,6 +3,7 @@
 #include "app/icons.h"
 #include "app/panels/panels.h"
 #include "app/words.h"
+#include "scene/primitive_kind.h"
 
 namespace sectile::viewer {
 namespace {
@@ -96,10 +97,10 @@ class Fields {
     ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.46f);
   }
 
-  void length(const char* text, const std::string& name, double& value) {
-    row(text);
-    edited(text, number_field(context_, "properties." + name, value, 0.01, -1, Quantity::length,
-                              {1e-6, 1e6}));
+  void length(const PrimitiveField& field, double& value) {
+    row(field.title);
+    edited(field.title, number_field(context_, std::string("properties.") + field.name, value, 0.01,
+                                     -1, Quantity::length, {field.low, field.high}));
   }
 
   void whole(const char* text, const std::string& name, std::uint32_t& value, int low, int high) {
@@ -108,33 +109,19 @@ class Fields {
   }
 
   void draw_what(Primitive& p) {
-    using Shape = Primitive::Shape;
-    const Shape s = p.shape;
-    if (s == Shape::block || s == Shape::wedge)
-      triple("Size", "size", p.size, 0.01, Quantity::length);
-    if (s == Shape::prism || s == Shape::pyramid || s == Shape::cylinder || s == Shape::cone ||
-        s == Shape::sphere || s == Shape::torus)
-      length("Radius", "radius", p.radius);
-    if (s == Shape::cone) {
-      row("Top radius");
-      edited("Top radius", number_field(context_, "properties.top_radius", p.top_radius, 0.01, -1,
-                                        Quantity::length, {0, 1e6}));
+    for (const PrimitiveField& field : p.kind->fields) {
+      if (const auto* size = std::get_if<Vec3 Primitive::*>(&field.value))
+        triple(field.title, field.name, p.*(*size), 0.01, Quantity::length);
+      else if (const auto* of_length = std::get_if<double Primitive::*>(&field.value))
+        length(field, p.*(*of_length));
+      else
+        whole(field.title, field.name, p.*std::get<std::uint32_t Primitive::*>(field.value),
+              static_cast<int>(field.low), static_cast<int>(field.high));
     }
-    if (s == Shape::torus) length("Minor radius", "minor_radius", p.minor_radius);
-    if (s == Shape::prism || s == Shape::pyramid || s == Shape::cylinder || s == Shape::cone ||
-        s == Shape::extrusion)
-      length("Height", "height", p.height);
-    if (s == Shape::prism || s == Shape::pyramid) {
-      whole("Sides", "segments", p.segments, 3, 512);
-    } else if (s != Shape::block && s != Shape::wedge && s != Shape::extrusion) {
-      whole("Segments", "segments", p.segments, 3, 512);
-    }
-    if (s == Shape::extrusion || s == Shape::revolution) {
-      if (button(context_, "properties.profile", "Edit the profile\u2026",
-                 "Draw and change its outline and holes (F4)", true, -1))
-        context_.session.interface.profile.begin_edit(node_);
-    }
-    if (s == Shape::sphere || s == Shape::torus) whole("Rings", "rings", p.rings, 3, 256);
+    if (p.kind->profile != ProfileUse::none &&
+        button(context_, "properties.profile", "Edit the profile\u2026",
+               "Draw and change its outline and holes (F4)", true, -1))
+      context_.session.interface.profile.begin_edit(node_);
   }
 
   void draw_what(Imported& imported) {

@@ -92,7 +92,7 @@ void draw_recording(PanelContext& context) {
   ImGui::Separator();
   draw_size(context, plan);
   if (plan.is_film()) draw_film(context, plan);
-  const std::string problem = problem_of(plan, session);
+  const std::string problem = problem_of(plan, session.results);
   if (!problem.empty()) note(context, problem);
   ImGui::Spacing();
   const bool escaped = interface_input::was_pressed(Key::escape);

@@ -64,7 +64,7 @@ class RepairPanel {
   void draw_heading() {
     const BrokenMesh& subject = bench_.subject();
     title(context_, (subject.part.name + " is no solid yet").c_str());
-    std::string text = count(subject.part.mesh->face_sizes.size()) + " faces, from " +
+    std::string text = counted(subject.part.mesh->face_sizes.size(), "face") + ", from " +
                        subject.path.filename().string() + ". Click a line to go there.";
     if (bench_.waiting() > 0) {
       text += ' ';
@@ -143,8 +143,7 @@ class RepairPanel {
       return;
     }
     wrapped("A solid of volume " + number(preview->volume) + " with " +
-            count(preview->counts.faces) + (preview->counts.faces == 1 ? " face" : " faces") +
-            " in " + count(preview->counts.shells) +
+            counted(preview->counts.faces, "face") + " in " + count(preview->counts.shells) +
             (preview->counts.shells == 1 ? " shell." : " shells."));
     context_.widgets.record_item("repair.outcome");
     for (const RepairChange& change : preview->report.changes)

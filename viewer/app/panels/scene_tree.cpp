@@ -88,7 +88,8 @@ class Tree {
     if (node.children.empty()) flags |= ImGuiTreeNodeFlags_Leaf;
     if (session_.is_selected(node.id)) flags |= ImGuiTreeNodeFlags_Selected;
     const bool renaming = session_.interface.renaming.node == node.id;
-    const std::string whole = label(node), text = renaming ? std::string() : fitted(whole);
+    const std::string whole = label(node),
+                      text = renaming ? std::string() : fitted(whole, has_badge(node));
     if (!node.visible)
       ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     const bool open = ImGui::TreeNodeEx("row", flags, "%s", text.c_str());
@@ -105,8 +106,8 @@ class Tree {
   }
 
   /// Far inside of others a name is not to run into the badge at the right.
-  static std::string fitted(std::string text) {
-    constexpr float badge = 26;
+  static std::string fitted(std::string text, bool with_badge) {
+    const float badge = with_badge ? 26 : 4;
     const float room = std::max(
         40.0f, ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing() - badge);
     if (text_width(text) <= room) return text;
@@ -116,6 +117,12 @@ class Tree {
       text.pop_back();
     }
     return text + "\u2026";
+  }
+
+  bool has_badge(const Node& node) const {
+    const Node* parent = session_.scene().find(node.parent);
+    return !session_.results.error_of(node.id).empty() ||
+           (parent && std::holds_alternative<BooleanNode>(parent->what));
   }
 
   std::string label(const Node& node) const {

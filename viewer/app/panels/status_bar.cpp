@@ -10,22 +10,19 @@ std::string about_scene(const Session& session) {
   const std::size_t roots = session.scene().roots().size();
   const Node& first = session.scene().at(session.scene().roots().front());
   const bool is_group = roots == 1 && std::holds_alternative<Group>(first.what);
-  std::string text = is_group ? "1 group" : roots == 1 ? "1 solid" : count(roots) + " solids";
+  std::string text = is_group ? "1 group" : counted(roots, "solid");
   if (roots == 1)
-    if (const Solid* solid = session.results.solid(session.scene().roots().front())) {
-      const std::size_t faces = solid->counts().faces;
-      text +=
-          solid->is_empty() ? ", empty" : ", " + count(faces) + (faces == 1 ? " face" : " faces");
-    }
+    if (const Solid* solid = session.results.solid(session.scene().roots().front()))
+      text += solid->is_empty() ? ", empty" : ", " + counted(solid->counts().faces, "face");
   if (session.is_isolating()) text += " \u00B7 only some are shown (/ shows all)";
   return text;
 }
 
-std::string about_file(const Session& session) {
-  const auto& path = session.document.path();
+std::string about_file(const Document& document) {
+  const auto& path = document.path();
   std::string text = path.empty() ? "not saved yet" : path.filename().string();
-  if (!path.empty() && session.document.is_changed()) text += " (changed)";
-  return session.scene().size() == 0 && path.empty() ? "" : text;
+  if (!path.empty() && document.is_changed()) text += " (changed)";
+  return document.scene().size() == 0 && path.empty() ? "" : text;
 }
 
 void draw_progress(PanelContext& context, const std::string& activity) {
@@ -47,8 +44,8 @@ void draw_progress(PanelContext& context, const std::string& activity) {
 void draw_message_button(PanelContext& context, const std::string& file) {
   Messages& messages = context.session.interface.messages;
   if (messages.all().empty()) return;
-  const std::string text = std::string(icons::info) + " " + count(messages.all().size()) +
-                           (messages.all().size() == 1 ? " message" : " messages");
+  const std::string text =
+      std::string(icons::info) + " " + counted(messages.all().size(), "message");
   ImGui::SameLine(context.layout.status.width - text_width(file) - text_width(text) - 42);
   if (button(context, "status.messages", text, "All that was said, with its time", true, 0,
              messages.list_open))
@@ -73,7 +70,7 @@ void draw_status_bar(PanelContext& context) {
     ImGui::TextUnformatted(about_scene(context.session).c_str());
     context.widgets.record_item("status.text");
   }
-  const std::string file = about_file(context.session);
+  const std::string file = about_file(context.session.document);
   draw_message_button(context, file);
   ImGui::SameLine(context.layout.status.width - text_width(file) - 10);
   ImGui::AlignTextToFramePadding();

@@ -41,7 +41,7 @@ void draw_phases(PanelContext& context, const Story& story) {
     if (text_width(text) > width - 2) text = title_of(phase);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 4});
     if (button(context, name, text,
-               title_of(phase) + ": " + std::to_string(last - first) + " steps (phase \"" +
+               title_of(phase) + ": " + counted(last - first, "step") + " (phase \"" +
                    std::string(name_of(phase)) + "\")",
                true, width))
       context.session.results.player.go_to(phase, 0);

@@ -47,7 +47,7 @@ void draw_tool_banner(PanelContext& context) {
   }
   ImGui::PushFont(context.fonts.small);
   ImGui::PushTextWrapPos(width - 10);
-  ImGui::TextUnformatted(session.interface.tool->hint(session).c_str());
+  ImGui::TextUnformatted(session.interface.tool->hint(session.view).c_str());
   context.widgets.record_item("tool.hint");
   ImGui::PopTextWrapPos();
   ImGui::PopFont();

@@ -3,6 +3,7 @@
 #include "app/icons.h"
 #include "app/panels/panels.h"
 #include "app/words.h"
+#include "scene/primitive_kind.h"
 
 namespace sectile::viewer {
 namespace {
@@ -25,7 +26,8 @@ void add_button(PanelContext& context, bool with_title) {
   const Widget* place = context.widgets.find("tool.add");
   ImGui::SetNextWindowPos({place->rectangle.x, place->rectangle.y + place->rectangle.w + 2});
   if (!ImGui::BeginPopup("add popup")) return;
-  for (const Primitive::Shape shape : all_shapes) command_item(context, "add." + name_of(shape));
+  for (const PrimitiveKind* kind : primitive_kinds())
+    command_item(context, "add." + std::string(kind->name));
   ImGui::Separator();
   command_item(context, "profile.xy");
   command_item(context, "profile.face");
