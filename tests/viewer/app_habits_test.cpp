@@ -183,7 +183,7 @@ TEST(MessageList, LeavesTheViewCubeFree) {
   AppDriver driver(1024, 700);
   driver.open_steps("fig13");
   const glm::vec4 message = driver.app().widget("panel.message.0"),
-                  cube = driver.app().widget("view.top");
+                  cube = driver.app().widget("view_cube.front");
   EXPECT_LE(message.x + message.z, cube.x);
 }
 

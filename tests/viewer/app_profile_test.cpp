@@ -32,6 +32,18 @@ double volume(const AppDriver& driver) {
   return solid ? solid->volume() : -1;
 }
 
+TEST(AppProfile, SaysHowWideTheGridIsAndWhereThePointerStands) {
+  AppDriver driver(1280, 800);
+  choose(driver, "profile.xy");
+  driver.move(on_canvas(driver, 1, -2));
+  driver.settle(2);
+  EXPECT_TRUE(driver.app().has_widget("text:Grid 0.25   x 1   y -2"));
+  driver.move(driver.middle("profile.circle"));
+  driver.settle(2);
+  EXPECT_TRUE(driver.app().has_widget("text:Grid 0.25"));
+  EXPECT_EQ(driver.faults(), "");
+}
+
 TEST(AppProfile, DrawsAPlateWithAHoleAndChangesItLater) {
   for (const glm::ivec2 size : {glm::ivec2(1024, 700), {1280, 800}}) {
     AppDriver driver(size.x, size.y);

@@ -54,6 +54,7 @@ class Canvas {
     for (std::size_t i = 0; i < editor_.sketch.loops().size(); ++i) draw_loop(list, i);
     draw_drawn(list);
     draw_side_numbers(list);
+    draw_scale(list);
     list.PopClipRect();
     record();
   }
@@ -239,6 +240,21 @@ class Canvas {
     list.AddRectFilled({at.x + 6, at.y - extent.y - 6}, {at.x + extent.x + 14, at.y - 2},
                        ImGui::GetColorU32(ImGuiCol_PopupBg, 0.9f), 3);
     list.AddText({at.x + 10, at.y - extent.y - 4}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+  }
+
+  /// How far apart the lines of the grid are, and where the next corner would be.
+  void draw_scale(ImDrawList& list) const {
+    std::string text = "Grid " + number(grid_step());
+    if (hovered_) text += "   x " + number(place_.x) + "   y " + number(place_.y);
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 at{low_.x + 8, low_.y + size_.y - extent.y - 7};
+    list.AddRectFilled({at.x - 4, at.y - 2}, {at.x + extent.x + 4, at.y + extent.y + 2},
+                       ImGui::GetColorU32(ImGuiCol_PopupBg, 0.9f), 3);
+    list.AddText(at, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    Widget widget;
+    widget.rectangle = {at.x, at.y, extent.x, extent.y};
+    widget.surface = widget.floating = true;
+    context_.widgets.record("text:" + text, widget);
   }
 
   /// Two places of the plane, so that tests find all others, and the corners.
