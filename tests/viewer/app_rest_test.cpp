@@ -79,8 +79,9 @@ TEST_F(Rest, MovingPicturesOfAResultDrawItsTrianglesOnce) {
 TEST_F(Rest, FullQualityComesWithinHalfASecond) {
   const glm::dvec2 from = beside_the_ball();
   driver_.hold(from, from + glm::dvec2(30, 6));
-  int frames = 0;
+  int frames = 4;  // of letting go
   const DrawnWork work = work_of([&] {
+    driver_.let_go(from + glm::dvec2(30, 6));
     do driver_.settle(1), ++frames;
     while (driver_.app().needs_frame() && frames < 100);
   });
