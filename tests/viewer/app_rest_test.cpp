@@ -70,6 +70,8 @@ TEST_F(Rest, MovingPicturesOfAResultDrawItsTrianglesOnce) {
   ASSERT_TRUE(result && !result->is_empty());
   const std::uint64_t drawn = result->to_mesh().face_sizes.size();
   const glm::dvec2 from = beside_the_ball();
+  driver_.move(from);
+  driver_.settle(2);
   const DrawnWork work = work_of([&] { driver_.hold(from, from + glm::dvec2(30, 6)); });
   ASSERT_GE(work.pictures, 3u);
   EXPECT_LE(work.triangles, work.pictures * (drawn + triangles / 10))
@@ -92,6 +94,20 @@ TEST_F(Rest, FullQualityComesWithinHalfASecond) {
   EXPECT_LE(work.triangles, 3 * triangles);
   // And then nothing until something moves.
   EXPECT_EQ(work_of([&] { driver_.settle(20); }).pictures, 0u);
+}
+
+TEST_F(Rest, NothingIsDrawnWhileOnlyTheMouseMovesOverPanels) {
+  driver_.press("tree:" + std::to_string(driver_.scene().roots().front()));
+  ASSERT_NE(driver_.session().selected(), 0u) << "with handles in the picture";
+  do driver_.settle(1);
+  while (driver_.app().needs_frame());
+  const DrawnWork work = work_of([&] {
+    for (const char* place : {"view.frame", "tool.add", "properties.position.x"}) {
+      driver_.move(driver_.middle(place));
+      driver_.settle(2);
+    }
+  });
+  EXPECT_EQ(work.pictures, 0u);
 }
 
 }  // namespace

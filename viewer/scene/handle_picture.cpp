@@ -2,12 +2,27 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <memory>
+#include <vector>
 
 #include "scene/handles.h"
 
 namespace sectile::viewer {
 
 namespace {
+
+/// The mesh of an earlier frame, if it is equal: a picture in which nothing changed is not drawn
+/// again.
+std::shared_ptr<const SurfaceMesh> same_as_before(SurfaceMesh mesh) {
+  constexpr std::size_t most = 24;
+  thread_local std::vector<std::shared_ptr<const SurfaceMesh>> known;
+  const auto same = std::find_if(known.begin(), known.end(), [&](const auto& other) {
+    return other->positions == mesh.positions && other->normals == mesh.normals;
+  });
+  if (same != known.end()) return *same;
+  if (known.size() == most) known.erase(known.begin());
+  return known.emplace_back(std::make_shared<const SurfaceMesh>(std::move(mesh)));
+}
 
 Colour colour_of(int axis, bool is_active) {
   // Told apart by brightness, too, for those who do not see red and green.
@@ -77,7 +92,7 @@ class Drawing {
   // In units of the handles' size, so that the mesh of an axis is small numbers around nothing.
   void add(SurfaceMesh mesh, int i, HandlePart first) {
     Surface made;
-    made.mesh = std::make_shared<const SurfaceMesh>(std::move(mesh));
+    made.mesh = same_as_before(std::move(mesh));
     made.colour = colour_of(i, is_active(first, i));
     made.edges = false;
     made.is_tool = true;
