@@ -87,7 +87,7 @@ class Bench {
   Clock::time_point last_ = Clock::now();
 };
 
-// Moves the pressed mouse to and fro for so long, and counts.
+// Moves the pressed mouse to and fro for so long, and counts; it stays pressed.
 struct Counts {
   double seconds = 0, processor_seconds = 0;
   int frames = 0, results = 0;
@@ -122,16 +122,15 @@ Counts move_mouse(Bench& bench, glm::dvec2 from, double reach, double seconds) {
     counts.seconds = passed.count();
   }
   counts.processor_seconds = static_cast<double>(std::clock() - started) / CLOCKS_PER_SEC;
-  bench.release(from);
   return counts;
 }
 
-// How long it takes, once the mouse is still, until the picture is there with all its care.
-void tell_rest(Bench& bench) {
+// How long it takes, once the mouse is let go, until the picture is there with all its care.
+void tell_rest(Bench& bench, glm::dvec2 at) {
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t started = std::clock();
-  do bench.frame({});
-  while (bench.app().needs_frame());
+  bench.release(at);
+  while (bench.app().needs_frame()) bench.frame({});
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
   std::printf("%-38s %7.2f s          %8.1f ms of processor time\n",
               "  at rest, in full quality after", passed.count(),
@@ -149,7 +148,7 @@ void orbit(int width, int height, double seconds, bool combined, const char* wha
   if (counts.frames > 20 && bench.app().camera().azimuth == before.azimuth)
     throw std::runtime_error("nothing turned");
   counts.print(what);
-  tell_rest(bench);
+  tell_rest(bench, beside);
 }
 
 void drag(int width, int height, double seconds) {
@@ -157,6 +156,7 @@ void drag(int width, int height, double seconds) {
   Bench bench(width, height, scene.scene);
   bench.click("tree:" + std::to_string(scene.b));
   const Counts counts = move_mouse(bench, bench.middle("handle.x"), 40, seconds);
+  bench.release(bench.middle("handle.x"));
   if (counts.results == 0) throw std::runtime_error("the drag gave no results");
   counts.print("dragging B in A \\ B by a handle");
 }

@@ -155,7 +155,7 @@ class Session {
   FileWork files_;
   std::size_t wished_operand_ = 0;  ///< 0: the last
   Mode mode_ = Mode::model;
-  Selection isolated_;  ///< empty: everything is shown
+  Selection isolated_;      ///< empty: everything is shown
   Camera camera_of_model_;  ///< while the steps are shown
   Camera camera_before_repair_;
   bool frame_next_ = false;  ///< look at everything as soon as it is computed
