@@ -5,25 +5,48 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "geometry/face_predicates.h"
 #include "geometry/triangulation.h"
+#include "import/shell_boxes.h"
+#include "search/face_tree.h"
 #include "sectile/errors.h"
 
 namespace sectile {
 namespace {
 
+// Faces that a line may meet.
+struct FacesInTree {
+  std::vector<FaceId> faces;
+  BoxTree tree;  ///< over them
+
+  FacesInTree(const SolidData& data, std::vector<FaceId> some) : faces(std::move(some)) {
+    std::vector<Box> boxes;
+    boxes.reserve(faces.size());
+    for (const FaceId f : faces) boxes.push_back(face_box(data.brep(), data.geometry(), f));
+    tree = BoxTree(boxes);
+  }
+};
+
 // A line along the x axis through a point within a face. The points are those of a parabola in a
 // triangle: a line of the projection along x contains at most two of them, so there is always one
-// that lies beside all edges.
+// that lies beside all edges. `counts` tells which of the other faces are looked at.
+template <class Counts>
 class LineThroughFace {
  public:
-  LineThroughFace(const SolidData& data, const Kernel& kernel, FaceId face)
-      : data_(data), kernel_(kernel), face_(face), triangle_(first_triangle()) {}
+  LineThroughFace(const SolidData& data, const Kernel& kernel, const FacesInTree& others,
+                  FaceId face, const Counts& counts)
+      : data_(data),
+        kernel_(kernel),
+        others_(others),
+        face_(face),
+        counts_(counts),
+        triangle_(first_triangle()) {}
 
-  /// The faces on the line, from this one on along the x axis, up to one of which something is
-  /// known already.
+  /// The faces on the line beyond this one, along the x axis, up to one of which something is known
+  /// already.
   template <class IsKnown>
   std::vector<FaceId> faces_beyond(const IsKnown& is_known) {
     for (int halvings = 1;; ++halvings)
@@ -80,10 +103,10 @@ class LineThroughFace {
   // known. Nothing if the line meets an edge.
   template <class IsKnown>
   std::optional<std::vector<FaceId>> follow(const IsKnown& is_known) {
-    std::vector<FaceId> faces{face_};
+    std::vector<FaceId> faces;
     at_ = {point_.x[0], point_.w};
-    while (faces.size() == 1 || !is_known(faces.back())) {
-      const std::optional<FaceId> next = next_after(faces.back());
+    while (faces.empty() || !is_known(faces.back())) {
+      const std::optional<FaceId> next = next_after(faces.empty() ? face_ : faces.back());
       if (!next) return {};
       if (!next->valid()) break;
       faces.push_back(*next);
@@ -108,14 +131,14 @@ class LineThroughFace {
     FaceId next;
     Place place;
     bool edge_met = false;
-    data_.tree().query(
+    others_.tree.query(
         [&](const Box& b) {
           return b.low[1] <= high_y_ && low_y_ <= b.high[1] && b.low[2] <= high_z_ &&
                  low_z_ <= b.high[2] && begin <= b.high[0] && b.low[0] <= end && !edge_met;
         },
         [&](std::uint32_t item) {
-          const FaceId f(item);
-          if (f == from || edge_met) return;
+          const FaceId f = others_.faces[item];
+          if (f == from || edge_met || !counts_(f)) return;
           const std::optional<bool> met = meets(f);
           if (!met) edge_met = true;
           if (!met || !*met) return;
@@ -186,31 +209,35 @@ class LineThroughFace {
 
   const SolidData& data_;
   const Kernel& kernel_;
+  const FacesInTree& others_;
   FaceId face_;
+  const Counts& counts_;
   std::array<PointId, 3> triangle_;
   ExactPoint point_;
   double low_y_ = 0, high_y_ = 0, low_z_ = 0, high_z_ = 0;  // around the line
   Place at_;                                                // how far the line was followed
 };
 
-// The layers of material on a line change at its faces, and at infinity there are none. What is
-// found for one shell on the line follows for the others on it, so each line is followed only to
-// the first shell that is known.
+// The layers of material on a line change at its faces, and at infinity there are none. Shells do
+// not cross each other: of what is around one, all boxes hold its own, and other shells take away
+// from a line what they add to it. So most shells need no line, and no line is followed beyond the
+// first face of a shell of which all is known.
 class Surroundings {
  public:
   Surroundings(const SolidData& data, const Kernel& kernel, const Shells& shells)
       : data_(data),
         kernel_(kernel),
         shells_(shells),
+        members_(shells.count),
         found_(shells.count),
-        known_(shells.count, 0) {}
+        known_(shells.count, 0),
+        boxes_(shell_boxes()),
+        outer_(data, faces_around_others()) {}
 
   std::vector<ShellSurroundings> run() {
-    choose_faces();
-    for (std::uint32_t s = 0; s < shells_.count; ++s) {
-      if (known_[s]) continue;
-      LineThroughFace line(data_, kernel_, found_[s].face);
-      count_layers(line.faces_beyond([&](FaceId f) { return known_[shell(f)] != 0; }));
+    for (const std::uint32_t s : boxes_.from_outside()) {
+      found_[s].material = own_layers(s) + (boxes_.is_held(s) ? layers_around(s) : 0);
+      known_[s] = 1;
     }
     return std::move(found_);
   }
@@ -219,33 +246,66 @@ class Surroundings {
   std::uint32_t shell(FaceId f) const { return shells_.of_face[f.value()]; }
   Sign normal(FaceId f) const { return kernel_.normal(data_.brep().plane[f], 0); }
 
-  // The first of each shell that is not parallel to the line.
-  void choose_faces() {
-    for (std::uint32_t f = 0; f < shells_.of_face.size(); ++f) {
-      FaceId& chosen = found_[shells_.of_face[f]].face;
-      if (!chosen.valid() && normal(FaceId(f)) != Sign::zero) chosen = FaceId(f);
+  // Finds the members, too, and for each shell the first one that is not parallel to the line.
+  std::vector<Box> shell_boxes() {
+    std::vector<Box> boxes(shells_.count);
+    for (std::uint32_t i = 0; i < shells_.of_face.size(); ++i) {
+      const FaceId f(i);
+      boxes[shell(f)].add(face_box(data_.brep(), data_.geometry(), f));
+      members_[shell(f)].push_back(f);
+      FaceId& chosen = found_[shell(f)].face;
+      if (!chosen.valid() && normal(f) != Sign::zero) chosen = f;
     }
     for (const ShellSurroundings& s : found_)
       if (!s.face.valid()) throw InternalError("a shell has no extent in the plane across an axis");
+    return boxes;
   }
 
-  void count_layers(const std::vector<FaceId>& faces) {
-    int layers = 0;  // beyond the face
+  std::vector<FaceId> faces_around_others() const {
+    std::vector<FaceId> faces;
+    for (std::uint32_t s = 0; s < shells_.count; ++s)
+      if (boxes_.holds_any(s)) faces.insert(faces.end(), members_[s].begin(), members_[s].end());
+    return faces;
+  }
+
+  // Those of a shell itself, on its outer side: none, or less than none if it is turned inwards.
+  int own_layers(std::uint32_t s) const {
+    const FacesInTree own(data_, members_[s]);
+    const auto all = [](FaceId) { return true; };
+    LineThroughFace line(data_, kernel_, own, found_[s].face, all);
+    const int beyond = layers_before(line.faces_beyond([](FaceId) { return false; }));
+    return normal(found_[s].face) == Sign::positive ? beyond : beyond - 1;
+  }
+
+  // Those of other shells.
+  int layers_around(std::uint32_t s) const {
+    const auto may_be_around = [&](FaceId f) { return shell(f) != s && boxes_.holds(shell(f), s); };
+    LineThroughFace line(data_, kernel_, outer_, found_[s].face, may_be_around);
+    return layers_before(line.faces_beyond([&](FaceId f) { return known_[shell(f)] != 0; }));
+  }
+
+  // Before the first of the faces on a line; beyond the last there are none, or it is known.
+  int layers_before(const std::vector<FaceId>& faces) const {
+    int layers = 0;
     for (std::size_t i = faces.size(); i-- > 0;) {
-      const FaceId f = faces[i];
-      const bool leaves = normal(f) == Sign::positive;
-      int& outside = found_[shell(f)].material;
-      if (!known_[shell(f)] || i == 0) outside = leaves ? layers : layers - 1;
-      known_[shell(f)] = 1;
-      layers = leaves ? outside + 1 : outside;
+      const std::uint32_t s = shell(faces[i]);
+      const bool leaves = normal(faces[i]) == Sign::positive;
+      if (known_[s] != 0)
+        layers = found_[s].material + (leaves ? 1 : 0);
+      else
+        layers += leaves ? 1 : -1;
     }
+    return layers;
   }
 
   const SolidData& data_;
   const Kernel& kernel_;
   const Shells& shells_;
-  std::vector<ShellSurroundings> found_;  // per shell
+  std::vector<std::vector<FaceId>> members_;  // per shell
+  std::vector<ShellSurroundings> found_;      // per shell
   std::vector<std::uint8_t> known_;
+  ShellBoxes boxes_;
+  FacesInTree outer_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "selftest/node_labels.h"
 #include "selftest/rim_sweep.h"
 
 namespace sectile {
@@ -77,7 +78,7 @@ class FlatBlocks::Worker {
 
 void FlatBlocks::note_sides(const TriangleSurface& surface, const TriangleTree& tree,
                             const Kernel& kernel) {
-  place_.resize(surface.size());
+  place_.assign(surface.size(), NodeLabels::none);  // far from all, unless it is in the tree
   for (std::size_t level = 0; level < flat_.size(); ++level)
     sides_.emplace_back(tree.nodes(level), std::uint8_t(63));
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sides_[0].size(), 256),

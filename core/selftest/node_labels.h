@@ -35,12 +35,6 @@ class NodeLabels {
     return !labels_.empty() && labels_[level][a] != none && labels_[level][a] == labels_[level][b];
   }
 
-  /// Have all triangles of a node one label, and those of a node of others the same one?
-  bool same(std::size_t level, std::size_t a, const NodeLabels& others, std::size_t b) const {
-    return !labels_.empty() && !others.labels_.empty() && labels_[level][a] != none &&
-           labels_[level][a] == others.labels_[level][b];
-  }
-
  private:
   std::vector<std::vector<std::uint32_t>> labels_;  // per level
 };

@@ -11,8 +11,10 @@
 
 #include "sectile/errors.h"
 #include "selftest/flat_block.h"
-#include "selftest/flat_neighbours.h"
+#include "selftest/flat_patches.h"
 #include "selftest/node_labels.h"
+#include "selftest/patch_pairs.h"
+#include "selftest/slanted_nodes.h"
 #include "selftest/triangle_hubs.h"
 #include "selftest/triangle_pair.h"
 #include "selftest/triangle_tree.h"
@@ -26,18 +28,21 @@ class Traversal {
   Traversal(const TriangleSurface& surface, const Kernel& kernel, const SelfTestControl& control)
       : surface_(surface),
         control_(control),
-        tree_(surface, kernel.geometry()),
+        patches_(surface, kernel),
+        tree_(surface, kernel.geometry(), patches_.rest()),
+        patch_pairs_(patches_, surface, kernel.geometry(), tree_),
         blocks_(surface, tree_, kernel),
+        slanted_(surface, kernel.geometry(), tree_),
         faces_(tree_, labels_of_faces()),
-        beside_(tree_, flat_neighbours(surface, kernel)),
-        hubs_(surface, kernel.geometry()),
+        hubs_(surface, kernel.geometry(), tree_.order()),
         fans_(tree_, hubs_.of_triangle()),
         settled_(tree_, labels_of_settled()),
         pairs_(surface, kernel) {}
 
   std::vector<SelfContact> run() {
     const std::size_t level = std::min<std::size_t>(tree_.levels() - 1, 2);
-    const std::size_t count = tree_.nodes(level), steps = count + hubs_.count();
+    const std::size_t count = tree_.nodes(level);
+    const std::size_t steps = count + hubs_.count() + patch_pairs_.count();
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t node) {
       check_cancelled();
       const std::size_t top = tree_.levels() - 1;
@@ -50,6 +55,13 @@ class Traversal {
       check_cancelled();
       auto& found = found_.local();
       hubs_.for_each_pair(hub, [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); });
+      note_step(steps);
+    });
+    tbb::parallel_for(std::size_t(0), patch_pairs_.count(), [&](std::size_t patch) {
+      check_cancelled();
+      auto& found = found_.local();
+      patch_pairs_.for_each_pair(patch,
+                                 [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); });
       note_step(steps);
     });
     if (control_.progress) control_.progress(1);
@@ -118,7 +130,7 @@ class Traversal {
   // Is nothing to be tested between two nodes?
   bool known(std::size_t level, std::size_t a, std::size_t b) const {
     return faces_.same(level, a, b) || fans_.same(level, a, b) || settled_.same(level, a, b) ||
-           faces_.same(level, a, beside_, b) || faces_.same(level, b, beside_, a);
+           (a != b && slanted_.apart(level, a, b));
   }
 
   std::vector<std::uint32_t> labels_of_settled() const {
@@ -163,9 +175,12 @@ class Traversal {
 
   const TriangleSurface& surface_;
   const SelfTestControl& control_;
-  TriangleTree tree_;
+  FlatPatches patches_;
+  TriangleTree tree_;  // of the triangles in no patch
+  PatchPairs patch_pairs_;
   FlatBlocks blocks_;
-  NodeLabels faces_, beside_;
+  SlantedNodes slanted_;
+  NodeLabels faces_;
   TriangleHubs hubs_;
   NodeLabels fans_, settled_;
   TrianglePairs pairs_;

@@ -2,12 +2,13 @@
 
 namespace sectile {
 
-TriangleHubs::TriangleHubs(const TriangleSurface& surface, const Geometry& geometry)
+TriangleHubs::TriangleHubs(const TriangleSurface& surface, const Geometry& geometry,
+                           std::span<const std::uint32_t> triangles)
     : surface_(surface), geometry_(geometry) {
-  if (surface.size() < Hubs::least_faces) return;
+  if (triangles.size() < Hubs::least_faces) return;
   std::vector<std::uint32_t> corners(geometry.positions.size(), 0);
-  for (const auto& triangle : surface.corners)
-    for (const PointId p : triangle) ++corners[p.value()];
+  for (const std::uint32_t t : triangles)
+    for (const PointId p : surface.corners[t]) ++corners[p.value()];
   std::vector<std::uint32_t> hub_at;
   for (std::size_t p = 0; p < corners.size(); ++p) {
     if (corners[p] < Hubs::least_faces) continue;
@@ -18,7 +19,7 @@ TriangleHubs::TriangleHubs(const TriangleSurface& surface, const Geometry& geome
   if (points_.empty()) return;
   fans_.resize(points_.size());
   of_triangle_.assign(surface.size(), Hubs::none);
-  for (std::uint32_t t = 0; t < surface.size(); ++t) {
+  for (const std::uint32_t t : triangles) {
     std::uint32_t most = 0;
     for (const PointId p : surface.corners[t]) {
       if (hub_at[p.value()] == Hubs::none || corners[p.value()] <= most) continue;

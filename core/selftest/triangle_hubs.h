@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/geometry.h"
@@ -13,7 +14,9 @@ namespace sectile {
 
 class TriangleHubs {
  public:
-  TriangleHubs(const TriangleSurface& surface, const Geometry& geometry);
+  /// Of some of the triangles.
+  TriangleHubs(const TriangleSurface& surface, const Geometry& geometry,
+               std::span<const std::uint32_t> triangles);
 
   std::size_t count() const { return fans_.size(); }
   /// Per triangle: its hub, or Hubs::none. Empty if there is no hub.

@@ -20,11 +20,12 @@ void for_range(std::size_t count, const Body& body) {
   });
 }
 
-std::vector<Box> triangle_boxes(const TriangleSurface& surface, const Geometry& geometry) {
-  std::vector<Box> boxes(surface.size());
+std::vector<Box> triangle_boxes(const TriangleSurface& surface, const Geometry& geometry,
+                                const std::vector<std::uint32_t>& triangles) {
+  std::vector<Box> boxes(triangles.size());
   for_range(boxes.size(), [&](std::size_t i) {
     Bounds bounds;
-    for (const PointId p : surface.corners[i]) bounds.add(geometry.position(p));
+    for (const PointId p : surface.corners[triangles[i]]) bounds.add(geometry.position(p));
     boxes[i] = bounds.box();
   });
   return boxes;
@@ -100,14 +101,17 @@ unsigned EightBoxes::overlapping(const Box& box) const {
   return bits;
 }
 
-TriangleTree::TriangleTree(const TriangleSurface& surface, const Geometry& geometry) {
-  const std::vector<Box> triangles = triangle_boxes(surface, geometry);
-  order_ = morton_order(triangles);
+TriangleTree::TriangleTree(const TriangleSurface& surface, const Geometry& geometry,
+                           std::vector<std::uint32_t> triangles) {
+  const std::vector<Box> items = triangle_boxes(surface, geometry, triangles);
+  const std::vector<std::uint32_t> order = morton_order(items);
+  order_ = std::move(triangles);
   boxes_.emplace_back((order_.size() + 7) / 8);
   for_range(boxes_[0].size(), [&](std::size_t node) {
     for (unsigned i = 0; i < children(0, node); ++i)
-      boxes_[0][node].set(i, triangles[order_[8 * node + i]]);
+      boxes_[0][node].set(i, items[order[8 * node + i]]);
   });
+  for_range(order_.size(), [&, given = order_](std::size_t i) { order_[i] = given[order[i]]; });
   while (boxes_.back().size() > 1) {
     const std::size_t level = boxes_.size();
     boxes_.emplace_back((boxes_.back().size() + 7) / 8);

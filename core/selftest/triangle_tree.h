@@ -27,7 +27,10 @@ struct EightBoxes {
 /// node i of level l + 1 the nodes 8 i to 8 i + 7 of level l.
 class TriangleTree {
  public:
-  TriangleTree(const TriangleSurface& surface, const Geometry& geometry);
+  TriangleTree() = default;
+  /// Of some of the triangles.
+  TriangleTree(const TriangleSurface& surface, const Geometry& geometry,
+               std::vector<std::uint32_t> triangles);
 
   std::span<const std::uint32_t> order() const { return order_; }
   std::size_t levels() const { return boxes_.size(); }

@@ -1,0 +1,35 @@
+// Oriented boxes for the nodes of long, thin, slanted triangles, of which axis-parallel boxes say
+// little.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/geometry.h"
+#include "search/oriented_box.h"
+#include "selftest/triangle_surface.h"
+#include "selftest/triangle_tree.h"
+
+namespace sectile {
+
+class SlantedNodes {
+ public:
+  SlantedNodes(const TriangleSurface& surface, const Geometry& geometry, const TriangleTree& tree);
+
+  /// True: no triangle of a node meets one of another node of its level.
+  bool apart(std::size_t level, std::size_t a, std::size_t b) const;
+
+ private:
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+  void find_needles(const TriangleSurface& surface, const Geometry& geometry);
+  OrientedBox box_around(const TriangleSurface& surface, const Geometry& geometry,
+                         std::size_t level, std::size_t node) const;
+  OrientedBox box(std::size_t level, std::size_t node) const;
+
+  const TriangleTree& tree_;
+  std::vector<std::vector<std::uint32_t>> number_;  // per level and node: its box, or none
+  std::vector<std::vector<OrientedBox>> boxes_;     // per level
+};
+
+}  // namespace sectile

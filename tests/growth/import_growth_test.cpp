@@ -1,0 +1,155 @@
+// Imports of meshes whose boxes say little: large plane faces cut into slivers with many things
+// standing on them, and long slanted things side by side.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "growth/steps.h"
+#include "sectile/primitives.h"
+#include "sectile/solid.h"
+
+namespace sectile {
+namespace {
+
+double growth_of_import(PolygonMesh (*make)(std::size_t), std::size_t n) {
+  return growth([&](std::size_t size) { return [mesh = make(size)] { Solid::from_mesh(mesh); }; },
+                n);
+}
+
+std::uint32_t add_vertex(PolygonMesh& mesh, const Vec3& p) {
+  mesh.positions.push_back(p);
+  return static_cast<std::uint32_t>(mesh.positions.size() - 1);
+}
+
+void add_face(PolygonMesh& mesh, std::initializer_list<std::uint32_t> corners) {
+  mesh.face_sizes.push_back(static_cast<std::uint32_t>(corners.size()));
+  mesh.indices.insert(mesh.indices.end(), corners);
+}
+
+Solid plate_with_holes(std::size_t n) {
+  const auto side = static_cast<int>(std::sqrt(static_cast<double>(n)));
+  const double width = 2 * side + 1;
+  Profile profile;
+  profile.outer = {{0, 0}, {width, 0}, {width, width}, {0, width}};
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const double x = 2 * i + 1, y = 2 * j + 1;
+      profile.holes.push_back({{x, y}, {x, y + 1}, {x + 1, y + 1}, {x + 1, y}});
+    }
+  return extrude(profile, 1);
+}
+
+PolygonMesh triangles_of_a_plate(std::size_t n) {
+  return plate_with_holes(n).to_mesh();
+}
+
+PolygonMesh prism_on(const std::vector<Vec2>& outline, double height) {
+  PolygonMesh mesh;
+  const auto count = static_cast<std::uint32_t>(outline.size());
+  for (const double z : {0.0, height})
+    for (const Vec2& p : outline) add_vertex(mesh, {p.x, p.y, z});
+  mesh.face_sizes = {count, count};
+  for (std::uint32_t i = count; i-- > 0;) mesh.indices.push_back(i);
+  for (std::uint32_t i = 0; i < count; ++i) mesh.indices.push_back(count + i);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t k = (i + 1) % count;
+    add_face(mesh, {i, k, count + k, count + i});
+  }
+  return mesh;
+}
+
+PolygonMesh comb(std::size_t teeth) {
+  const double width = static_cast<double>(teeth);
+  std::vector<Vec2> outline{{0, -1}, {width, -1}};
+  for (std::size_t i = teeth; i-- > 0;) {
+    const double x = static_cast<double>(i);
+    outline.push_back({x + 0.5, width});
+    outline.push_back({x, 0});
+  }
+  return prism_on(outline, 1);
+}
+
+PolygonMesh corrugated_block(std::size_t folds) {
+  const double width = static_cast<double>(folds);
+  std::vector<Vec2> outline{{0, -2}, {width, -2}};
+  for (std::size_t i = folds + 1; i-- > 0;)
+    outline.push_back({static_cast<double>(i), i % 2 == 0 ? 0.0 : 1.0});
+  return prism_on(outline, width);
+}
+
+// Prisms in a square grid, as long as the grid is wide.
+PolygonMesh slanted_bundle(std::size_t n) {
+  const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
+  const double length = static_cast<double>(side);
+  PolygonMesh mesh;
+  for (std::size_t i = 0; i < side * side; ++i) {
+    const double x = static_cast<double>(i % side), y = static_cast<double>(i / side);
+    std::array<std::uint32_t, 6> p;
+    for (std::uint32_t k = 0; k < 6; ++k) {
+      const double u = x + (k % 3 == 1 ? 0.5 : 0), v = y + (k % 3 == 2 ? 0.5 : 0);
+      p[k] = k < 3 ? add_vertex(mesh, {u, v, 0})
+                   : add_vertex(mesh, {u + length, v + 0.75 * length, length});
+    }
+    add_face(mesh, {p[2], p[1], p[0]});
+    add_face(mesh, {p[3], p[4], p[5]});
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t next = (k + 1) % 3;
+      add_face(mesh, {p[k], p[next], p[3 + next], p[3 + k]});
+    }
+  }
+  return mesh;
+}
+
+// A cone on rings of long, thin triangles, on one face.
+PolygonMesh cone_on_bands(std::size_t sides) {
+  constexpr std::uint32_t rings = 4;
+  const auto n = static_cast<std::uint32_t>(sides);
+  PolygonMesh mesh;
+  for (std::uint32_t r = 0; r <= rings; ++r)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double angle = 2 * std::numbers::pi * i / n, radius = 1 - 0.1 * r;
+      add_vertex(mesh, {radius * std::cos(angle), radius * std::sin(angle), 0.2 * r});
+    }
+  const std::uint32_t apex = add_vertex(mesh, {0, 0, 2});
+  mesh.face_sizes.push_back(n);
+  for (std::uint32_t i = n; i-- > 0;) mesh.indices.push_back(i);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t k = (i + 1) % n;
+    for (std::uint32_t r = 0; r < rings; ++r) {
+      const std::uint32_t a = r * n + i, b = r * n + k;
+      add_face(mesh, {a, b, b + n});
+      add_face(mesh, {a, b + n, a + n});
+    }
+    add_face(mesh, {rings * n + i, rings * n + k, apex});
+  }
+  return mesh;
+}
+
+TEST(ImportGrowth, PlateWithHoles) {
+  EXPECT_LT(growth([](std::size_t n) { return [n] { plate_with_holes(n); }; }, 400), n_log_n);
+}
+
+TEST(ImportGrowth, TrianglesOfAPlateWithHoles) {
+  EXPECT_LT(growth_of_import(triangles_of_a_plate, 400), n_log_n);
+}
+
+TEST(ImportGrowth, Comb) {
+  EXPECT_LT(growth_of_import(comb, 500), n_log_n);
+}
+
+TEST(ImportGrowth, CorrugatedBlock) {
+  EXPECT_LT(growth_of_import(corrugated_block, 500), n_log_n);
+}
+
+TEST(ImportGrowth, SlantedBundle) {
+  EXPECT_LT(growth_of_import(slanted_bundle, 400), n_log_n);
+}
+
+TEST(ImportGrowth, ConeOnBands) {
+  EXPECT_LT(growth_of_import(cone_on_bands, 1000), n_log_n);
+}
+
+}  // namespace
+}  // namespace sectile
