@@ -4,6 +4,7 @@
 #include <atomic>
 #include <string>
 
+#include "geometry/four_points.h"
 #include "import/brep_builder.h"
 #include "import/contacts.h"
 #include "import/diagnosis.h"
@@ -28,7 +29,9 @@ namespace {
 // of the edge, though.
 bool lies_flat(const Brep& brep, const Kernel& kernel, HalfEdgeId h) {
   const HalfEdgeId back = Brep::twin(h);
-  return kernel.side(brep.point_of(brep.to(brep.next_of(back))), brep.plane_of(h)) == Sign::zero &&
+  const PointId beyond = brep.point_of(brep.to(brep.next_of(back)));
+  return !clearly_off_plane(kernel.geometry(), beyond, brep.plane_of(h)) &&
+         kernel.side(beyond, brep.plane_of(h)) == Sign::zero &&
          kernel.parallel(brep.plane_of(h), brep.plane_of(back));
 }
 
@@ -115,28 +118,43 @@ class Steps {
   const ImportOptions& options_;
 };
 
-std::shared_ptr<const SolidData> import_view(const SoupView& soup, const ImportOptions& options) {
-  check_groups(soup, options);
-  const Steps steps(options);
-  auto data = std::make_shared<SolidData>();
+// The faces as they are given. Returns whether there are any.
+bool read_faces(const SoupView& soup, const Steps& steps, Kernel& kernel, SolidData& data) {
   std::vector<std::uint32_t> input_vertex;
-  Polygons polygons = read_polygons(soup, data->geometry(), input_vertex);
+  Polygons polygons = read_polygons(soup, data.geometry(), input_vertex);
   steps.done(0.05);
-  Kernel kernel(data->geometry());
+  kernel.refresh();
   remove_flat_faces(polygons, kernel);
-  find_face_planes(polygons, data->geometry(), kernel);
-  if (polygons.face_count() == 0) return std::make_shared<SolidData>();
+  find_face_planes(polygons, data.geometry(), kernel);
+  if (polygons.face_count() == 0) return false;
   steps.done(0.1);
   const std::vector<std::uint32_t> mate = match_edges(polygons, kernel, input_vertex);
-  data->origin = new_origin();
-  build_brep(polygons, mate, data->brep());
-  set_planes_and_sources(polygons, data->origin, data->brep());
+  data.origin = new_origin();
+  build_brep(polygons, mate, data.brep());
+  set_planes_and_sources(polygons, data.origin, data.brep());
+  return true;
+}
+
+// A boundary in one block. What was needed on the way, more than the boundary takes, is gone when
+// this returns.
+std::shared_ptr<SolidData> read_boundary(const SoupView& soup, const ImportOptions& options,
+                                         const Steps& steps) {
+  auto data = std::make_shared<SolidData>();
+  Kernel kernel(data->geometry());
+  if (!read_faces(soup, steps, kernel, *data)) return std::make_shared<SolidData>();
   pin_flat_edges(data->brep(), data->geometry(), kernel);
   steps.done(0.2);
   if (!options.trusted) refuse_contacts(data->brep(), kernel, steps.from_to(0.2, 0.9));
   check_orientation(*data, kernel);
   steps.done(0.95);
-  data = with_flat_faces_joined(std::move(data), kernel, options);
+  return with_flat_faces_joined(std::move(data), kernel, options);
+}
+
+std::shared_ptr<const SolidData> import_view(const SoupView& soup, const ImportOptions& options) {
+  check_groups(soup, options);
+  const Steps steps(options);
+  std::shared_ptr<SolidData> data = read_boundary(soup, options, steps);
+  if (data->empty()) return data;
   data->cut();
   steps.done(1);
   return data;

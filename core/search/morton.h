@@ -19,6 +19,8 @@ inline std::uint32_t spread_bits(std::uint32_t x) {
 /// The place of a box's centre in a grid of 1024³ cells.
 class Morton {
  public:
+  static constexpr unsigned bits = 30;
+
   explicit Morton(const Box& bounds) {
     for (int k = 0; k < 3; ++k) {
       low_[k] = bounds.low[k];

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "geometry/four_points.h"
 #include "numbers/rounding.h"
 #include "selftest/rim_sweep.h"
 
@@ -51,8 +52,8 @@ class FlatEdges {
     if (face == surface_.face[mate])
       return surface_.doubtful.empty() || surface_.doubtful[face] == 0;
     const PlaneId a = surface_.plane[t], b = surface_.plane[mate];
-    return kernel_.side(apex, a) == Sign::zero && kernel_.parallel(a, b) &&
-           kernel_.same_direction(a, b);
+    return !clearly_off_plane(kernel_.geometry(), apex, a) && kernel_.side(apex, a) == Sign::zero &&
+           kernel_.parallel(a, b) && kernel_.same_direction(a, b);
   }
 
   void set(std::uint32_t t, unsigned k) {

@@ -4,11 +4,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "search/morton.h"
+#include "search/radix_sort.h"
 
 namespace sectile {
 namespace {
@@ -31,24 +31,6 @@ std::vector<Box> triangle_boxes(const TriangleSurface& surface, const Geometry& 
   return boxes;
 }
 
-// By the upper 32 bits of each key, of which 30 are used; equal ones stay as they are.
-void sort_by_upper_half(std::vector<std::uint64_t>& keys) {
-  constexpr unsigned bits = 10, buckets = 1u << bits;
-  std::vector<std::uint64_t> other(keys.size());
-  for (unsigned shift = 32; shift < 62; shift += bits) {
-    std::array<std::uint32_t, buckets> at{};
-    for (const std::uint64_t key : keys) ++at[(key >> shift) % buckets];
-    std::uint32_t end = 0;
-    for (std::uint32_t& n : at) {
-      const std::uint32_t count = n;
-      n = end;
-      end += count;
-    }
-    for (const std::uint64_t key : keys) other[at[(key >> shift) % buckets]++] = key;
-    keys.swap(other);
-  }
-}
-
 std::vector<std::uint32_t> morton_order(const std::vector<Box>& boxes) {
   Box all;
   for (const Box& b : boxes) all.add(b);
@@ -56,10 +38,7 @@ std::vector<std::uint32_t> morton_order(const std::vector<Box>& boxes) {
   std::vector<std::uint64_t> keys(boxes.size());
   for_range(keys.size(),
             [&](std::size_t i) { keys[i] = std::uint64_t(morton(boxes[i])) << 32 | i; });
-  if (keys.size() < 2048)
-    std::sort(keys.begin(), keys.end());
-  else
-    sort_by_upper_half(keys);
+  sort_by_upper_half(keys, Morton::bits);
   std::vector<std::uint32_t> order(keys.size());
   for_range(keys.size(), [&](std::size_t i) { order[i] = static_cast<std::uint32_t>(keys[i]); });
   return order;

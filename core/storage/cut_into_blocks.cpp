@@ -1,12 +1,12 @@
 #include "storage/cut_into_blocks.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include <numeric>
 
 #include "search/face_tree.h"
 #include "search/morton.h"
+#include "search/radix_sort.h"
 #include "storage/geometry_loader.h"
 
 namespace sectile {
@@ -96,7 +96,7 @@ class Groups {
     for (std::size_t f = 0; f < boxes.size(); ++f)
       if (brep.kind_of(FaceId(f)) == FaceKind::real)
         keys.push_back(std::uint64_t(morton(boxes[f])) << 32 | f);
-    tbb::parallel_sort(keys.begin(), keys.end());
+    sort_by_upper_half(keys, Morton::bits);
     return keys;
   }
 
@@ -113,6 +113,7 @@ class Cutter {
         groups_(part),
         blocks_(groups_.count()),
         links_(groups_.count()),
+        leaving_(groups_.count()),
         local_(brep_.half_edge_count()),
         made_{{}, std::vector<BorderEdge>(part.outside.size())} {
     for (auto& block : blocks_) block = std::make_shared<Block>();
@@ -152,6 +153,7 @@ class Cutter {
     std::uint32_t next = 0;
     for_each_half_edge(g, [&](HalfEdgeId h) {
       if (!leaves(h, g)) return;
+      leaving_[g].push_back(h);
       local_[h.value()] = HalfEdgeId(next);
       next += 2;
     });
@@ -171,9 +173,11 @@ class Cutter {
 
   void fill(std::size_t g) {
     Block& block = *blocks_[g];
+    const std::vector<VertexId> vertices = number_vertices(g, block.brep);
+    reserve(g, vertices.size(), block);
     GeometryLoader geometry(part_.geometry, block.geometry, groups_[g].size());
     add_faces(g, block.brep, geometry);
-    add_vertices(g, block, geometry);
+    add_vertices(vertices, block, geometry);
     add_edge_planes(g, block.brep, geometry);
     block.bounds();
     block.pieces();
@@ -200,19 +204,43 @@ class Cutter {
     }
   }
 
-  void add_vertices(std::size_t g, Block& block, GeometryLoader& geometry) const {
-    Brep& to = block.brep;
+  // The vertices of a group, numbered in the order in which they are met.
+  std::vector<VertexId> number_vertices(std::size_t g, Brep& to) const {
+    std::vector<VertexId> vertices;
+    vertices.reserve(groups_[g].size());
     IdMap numbers(groups_[g].size());
     for_each_half_edge(g, [&](HalfEdgeId h) {
       std::uint32_t& known = numbers[brep_.from(h).value()];
-      const HalfEdgeId here = local_[h.value()];
       if (known == IdMap::none) {
-        known = static_cast<std::uint32_t>(to.vertex_count());
-        to.vertex_half_edge.add(here);
-        to.point.add(geometry.point(brep_.point_of(brep_.from(h))));
+        known = static_cast<std::uint32_t>(vertices.size());
+        vertices.push_back(brep_.from(h));
+        to.vertex_half_edge.add(local_[h.value()]);
       }
-      to.origin[here] = VertexId(known);
+      to.origin[local_[h.value()]] = VertexId(known);
     });
+    return vertices;
+  }
+
+  // Just as much as is needed, as a rule: most of a solid's memory is in its blocks.
+  void reserve(std::size_t g, std::size_t vertices, Block& block) const {
+    const std::size_t faces = groups_[g].size();
+    Brep& brep = block.brep;
+    brep.loop_face.reserve(faces);
+    brep.loop_half_edge.reserve(faces);
+    brep.next_loop.reserve(faces);
+    brep.outer_loop.reserve(faces);
+    brep.plane.reserve(faces);
+    brep.source.reserve(faces);
+    brep.point.reserve(vertices);
+    block.geometry.positions.reserve(vertices);
+    block.geometry.construct.reserve(vertices);
+    block.geometry.planes.reserve(faces);
+  }
+
+  void add_vertices(const std::vector<VertexId>& vertices, Block& block,
+                    GeometryLoader& geometry) const {
+    Brep& to = block.brep;
+    for (const VertexId v : vertices) to.point.add(geometry.point(brep_.point_of(v)));
     for (std::uint32_t e = 0; e < block.border_count; ++e) {
       const HalfEdgeId h = Brep::half_edge(EdgeId(e));
       to.origin[Brep::twin(h)] = to.from(to.next_of(h));
@@ -238,8 +266,7 @@ class Cutter {
 
   void add_links(std::size_t g) {
     std::vector<BorderLink> links(blocks_[g]->border_count);
-    for_each_half_edge(g, [&](HalfEdgeId h) {
-      if (!leaves(h, g)) return;
+    for (const HalfEdgeId h : leaving_[g]) {
       const BorderEdge mine = border_edge(g, h);
       BorderEdge other;
       if (const std::uint32_t beyond = groups_.of(brep_.face_of(Brep::twin(h))); beyond != none) {
@@ -250,7 +277,7 @@ class Cutter {
       }
       links[mine.border] = {static_cast<std::int32_t>(other.slot - mine.slot), other.border,
                             other.piece};
-    });
+    }
     if (!links.empty())
       links_[g] = std::make_shared<const BorderLinks>(*blocks_[g], std::move(links));
   }
@@ -260,7 +287,8 @@ class Cutter {
   Groups groups_;
   std::vector<std::shared_ptr<Block>> blocks_;
   std::vector<std::shared_ptr<const BorderLinks>> links_;
-  std::vector<HalfEdgeId> local_;  // per half-edge: in its face's block
+  std::vector<std::vector<HalfEdgeId>> leaving_;  // per group: its half-edges on the border
+  std::vector<HalfEdgeId> local_;                 // per half-edge: in its face's block
   CutPart made_;
 };
 

@@ -1,0 +1,42 @@
+// A fourth point against the plane of three, where they are near each other: the differences of
+// their coordinates are small and often exact, so that doubles decide far more than they do with
+// the plane's equation.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/geometry.h"
+
+namespace sectile {
+
+/// Is d certainly not in the plane of the others?
+inline bool clearly_off_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const double u[3] = {a.x - d.x, a.y - d.y, a.z - d.z}, v[3] = {b.x - d.x, b.y - d.y, b.z - d.z},
+               w[3] = {c.x - d.x, c.y - d.y, c.z - d.z};
+  double value = 0, size = 0, reach = 0;
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const double left = v[i] * w[j], right = v[j] * w[i];
+    value += u[k] * (left - right);
+    size += std::abs(u[k]) * (std::abs(left) + std::abs(right));
+    reach = std::max({reach, std::abs(u[k]), std::abs(v[k]), std::abs(w[k])});
+  }
+  // Seven roundings of half an ulp in each term, and two of sums: less than 16 units of 2^-53, with
+  // room. Underflow of products is nothing beside a size of that order.
+  return reach < 0x1p200 && size > 0x1p-700 && std::abs(value) > 16 * 0x1p-53 * size;
+}
+
+/// The same for a point and a plane of a geometry. False if that takes more than looking at given
+/// points.
+inline bool clearly_off_plane(const Geometry& geometry, PointId point, PlaneId plane) {
+  const PlaneDefinition& how = geometry.definition(plane);
+  if (how.kind() != PlaneDefinition::Kind::three_points) return false;
+  const PointId a(how.a), b(how.b), c(how.c);
+  for (const PointId p : {a, b, c, point})
+    if (!geometry.is_explicit(p)) return false;
+  return clearly_off_plane(geometry.position(a), geometry.position(b), geometry.position(c),
+                           geometry.position(point));
+}
+
+}  // namespace sectile
