@@ -123,6 +123,62 @@ INSTANTIATE_TEST_SUITE_P(SelfTest, RandomPieces,
                                          std::array{2, 6, 1}, std::array{3, 3, 0},
                                          std::array{3, 5, 0}, std::array{4, 6, 0}));
 
+// A plate of square cells, some of which are missing: its sides are flat pieces of many triangles.
+PolygonMesh plate_of_cells(Pieces& pieces, std::uint32_t side) {
+  std::vector<bool> there;
+  for (std::uint32_t i = 0; i < side * side; ++i) there.push_back(pieces.below(5) != 0);
+  const auto cell = [&](std::uint32_t x, std::uint32_t y) {
+    return x < side && y < side && there[y * side + x];
+  };
+  PolygonMesh mesh;
+  for (std::uint32_t z = 2; z < 4; ++z)
+    for (std::uint32_t y = 0; y <= side; ++y)
+      for (std::uint32_t x = 0; x <= side; ++x)
+        mesh.positions.push_back({16.0 * x, 16.0 * y, 16.0 * z});
+  const auto add = [&](const std::array<std::array<std::uint32_t, 3>, 4>& square) {
+    std::array<std::uint32_t, 4> c;
+    for (std::size_t k = 0; k < 4; ++k)
+      c[k] = (square[k][2] * (side + 1) + square[k][1]) * (side + 1) + square[k][0];
+    const unsigned from = pieces.below(2) == 0 ? 0 : 1;  // a diagonal
+    add_triangle(mesh, c[from], c[from + 1], c[from + 2]);
+    add_triangle(mesh, c[from], c[from + 2], c[(from + 3) % 4]);
+  };
+  for (std::uint32_t y = 0; y < side; ++y)
+    for (std::uint32_t x = 0; x < side; ++x) {
+      if (!cell(x, y)) continue;
+      const std::uint32_t u = x + 1, v = y + 1;
+      add({{{x, y, 1}, {u, y, 1}, {u, v, 1}, {x, v, 1}}});
+      add({{{x, y, 0}, {x, v, 0}, {u, v, 0}, {u, y, 0}}});
+      if (!cell(x, y - 1)) add({{{x, y, 0}, {u, y, 0}, {u, y, 1}, {x, y, 1}}});
+      if (!cell(x, v)) add({{{u, v, 0}, {x, v, 0}, {x, v, 1}, {u, v, 1}}});
+      if (!cell(x - 1, y)) add({{{x, v, 0}, {x, y, 0}, {x, y, 1}, {x, v, 1}}});
+      if (!cell(u, y)) add({{{u, y, 0}, {u, v, 0}, {u, v, 1}, {u, y, 1}}});
+    }
+  return mesh;
+}
+
+void append(PolygonMesh& mesh, const PolygonMesh& other) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+  mesh.face_sizes.insert(mesh.face_sizes.end(), other.face_sizes.begin(), other.face_sizes.end());
+  for (const std::uint32_t i : other.indices) mesh.indices.push_back(first + i);
+}
+
+// Pieces that stand on a plate, pass through its holes or through itself, or lie in its planes.
+TEST(SelfTest, PlatesAmongPiecesAreRefusedWhereTheyAreNoSolid) {
+  Tally tally;
+  Pieces pieces(5);
+  for (int i = 0; i < 2000; ++i) {
+    SCOPED_TRACE(i);
+    PolygonMesh mesh = plate_of_cells(pieces, 4);
+    append(mesh, pieces.mesh(1 + i % 2, 4, i % 3 == 0));
+    compare(mesh, tally);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(tally.illegal, 50);
+  EXPECT_GT(tally.legal, 20);
+}
+
 // A globe of triangles that is bent, twisted and pressed through itself.
 PolygonMesh bent_globe(std::mt19937& random) {
   const auto real = [&] { return static_cast<double>(random() % 1000) / 1000; };
