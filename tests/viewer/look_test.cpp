@@ -189,6 +189,31 @@ TEST(Outline, OfAnOperandEndsWhereSomethingHidesIt) {
   EXPECT_EQ(outlined_in_row(drawn(picture), operand.colour, height / 2, 110), 0);
 }
 
+TEST(Outline, DoesNotRunAroundHandles) {
+  for (const Quality quality : {Quality::fast, Quality::full})
+    for (const bool selected : {false, true}) {
+      Surface ball = surface_of(sphere(1, 48, 25));
+      if (!selected) ball.colour = {1, 0, 0, 1};
+      if (selected)
+        ball.highlighted = true;
+      else
+        ball.faces = false, ball.silhouette = true;
+      Picture picture = picture_of({ball}, quality);
+      picture.camera.elevation = 0;
+      const Colour colour = selected ? picture.surroundings.outline : ball.colour;
+      const int without = outlined_in_row(drawn(picture), colour, height / 2, 90);
+      ASSERT_GE(without, 2);
+      Surface handle = surface_of(block({-0.2, -0.2, -0.2}, {0.2, 0.2, 0.2}));
+      handle.colour = {0, 0, 1, 1};
+      handle.is_tool = true;
+      handle.edges = false;
+      handle.model[3] = glm::dvec4(-picture.camera.forward() * 2.0, 1);
+      picture.surfaces.push_back(handle);
+      EXPECT_EQ(outlined_in_row(drawn(picture), colour, height / 2, 90), without)
+          << (quality == Quality::fast) << selected;
+    }
+}
+
 TEST(Tint, IsSeenWhereTheResultIsNot) {
   const Solid whole = block({-1, -1, -1}, {1, 1, 1}), hole = block({-0.5, -0.5, -2}, {0.5, 0.5, 2});
   Surface removed = surface_of(whole);

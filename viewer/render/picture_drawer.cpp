@@ -20,6 +20,13 @@ bool has(const Picture& picture, bool Surface::*what) {
                      [&](const Surface& surface) { return surface.mesh && surface.*what; });
 }
 
+// Faces that what lies behind them is seen through; tints lie on nothing but the background.
+bool has_blended(const Picture& picture) {
+  return std::any_of(picture.surfaces.begin(), picture.surfaces.end(), [](const Surface& surface) {
+    return surface.mesh && surface.faces && surface.translucent && !surface.yields;
+  });
+}
+
 bool has_opaque_faces(const Picture& picture) {
   return std::any_of(picture.surfaces.begin(), picture.surfaces.end(), [](const Surface& surface) {
     return surface.mesh && surface.faces && !surface.translucent && !surface.is_tool;
@@ -115,7 +122,9 @@ void PictureDrawer::paint(const Picture& picture, const Viewport& viewport, floa
   surfaces_.draw_opaque(view);
   if (!view.is_fast() && has_opaque_faces(picture))
     occlusion_.darken(view, projection, occlusion_radius * size_of_scene(picture), targets);
-  surfaces_.draw_tools(view);
+  // Handles come last, as outlines are not to run around them; but before what is seen through.
+  const bool see_through = has_blended(picture);
+  if (see_through) surfaces_.draw_tools(view);
   if (!shadow.is_empty()) shadow_.draw(view);
   if (!ground.is_upright()) ground_.draw_ground(view, ground, marks_);
   surfaces_.draw_tints(view);
@@ -124,6 +133,10 @@ void PictureDrawer::paint(const Picture& picture, const Viewport& viewport, floa
   if (has(picture, &Surface::translucent)) surfaces_.add_translucent_depth(view);
   marks_.draw_visible(view);
   outlines_.draw(view, targets);
+  if (!see_through) {
+    targets.bind_main();
+    surfaces_.draw_tools(view);
+  }
   ++work_.pictures;
   work_.samples += std::uint64_t(viewport.width) * std::uint64_t(viewport.height) *
                    (targets.is_multisampled() ? samples_at_rest : 1);
