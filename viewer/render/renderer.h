@@ -1,6 +1,7 @@
 // Draws pictures and the user interface with OpenGL into the current frame buffer.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "picture/picture.h"

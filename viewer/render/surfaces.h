@@ -1,6 +1,8 @@
 // The faces of surfaces: opaque ones, translucent ones in exact order, and their depth.
 #pragma once
 
+#include <cstdint>
+
 #include "render/mesh_cache.h"
 #include "render/shader_program.h"
 #include "render/targets.h"
