@@ -1,5 +1,6 @@
 #include "selftest/triangle_pair.h"
 
+#include "geometry/four_points.h"
 #include "selftest/triangle_chord.h"
 #include "selftest/wedge_order.h"
 
@@ -65,12 +66,18 @@ bool TrianglePairs::clearly_on_one_side(std::uint32_t t, const std::array<bool, 
   return true;
 }
 
+// Neighbours are nearly in one plane, as a rule: doubles tell that from their differences.
+bool TrianglePairs::is_on_plane(PointId point, PlaneId plane) const {
+  return !clearly_off_plane(kernel_.geometry(), point, plane) &&
+         kernel_.side(point, plane) == Sign::zero;
+}
+
 std::optional<SelfContact> TrianglePairs::test_edge(std::uint32_t s, std::uint32_t t,
                                                     const std::array<int, 3>& shared) const {
   std::size_t single = 3;
   for (std::size_t j = 0; j < 3; ++j)
     if (shared[j] < 0) single = j;
-  if (single == 3 || kernel_.side(surface_.corners[t][single], surface_.plane[s]) == Sign::zero)
+  if (single == 3 || is_on_plane(surface_.corners[t][single], surface_.plane[s]))
     return test_plane(s, t);
   const int edge_t = static_cast<int>(single < 2 ? single + 1 : 0);
   // The corner of s that t lacks is 3 less the two others.

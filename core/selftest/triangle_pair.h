@@ -26,6 +26,7 @@ class TrianglePairs {
 
   /// Do doubles tell that all corners but those on the plane are on one side of it?
   bool clearly_on_one_side(std::uint32_t t, const std::array<bool, 3>& on_it, PlaneId plane) const;
+  bool is_on_plane(PointId point, PlaneId plane) const;
   std::optional<SelfContact> test_edge(std::uint32_t s, std::uint32_t t,
                                        const std::array<int, 3>& shared) const;
   std::optional<SelfContact> test_plane(std::uint32_t s, std::uint32_t t) const;
