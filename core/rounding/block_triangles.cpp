@@ -199,12 +199,12 @@ class Collector {
       if (!slot.empty()) pieces += slot.block->pieces().count;
     }
     Sets sets(pieces);
-    for (std::uint32_t s = 0; s < slots_.size(); ++s)
-      for_each_border(s, [&](HalfEdgeId h, std::uint32_t other, const BorderLink& link) {
-        const Block& block = *slots_[s].block;
-        sets.unite(first[s] + block.pieces().of_face[block.brep.face_of(h).value()],
-                   first[other] + link.piece);
-      });
+    for (std::uint32_t s = 0; s < slots_.size(); ++s) {
+      if (slots_[s].empty() || !slots_[s].links) continue;
+      for (const BorderLinks::Neighbour& n : slots_[s].links->neighbours())
+        sets.unite(first[s] + n.own_piece,
+                   first[s + static_cast<std::uint32_t>(n.slots)] + n.piece);
+    }
     for (std::uint32_t p = 1; p < pieces; ++p)
       if (sets.find(p) != 0) return false;
     return pieces > 0;
