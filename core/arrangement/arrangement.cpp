@@ -1,6 +1,5 @@
 #include "sectile/arrangement.h"
-
-#include <tbb/parallel_for.h>
+#include "parallel/parallel.h"
 
 #include <algorithm>
 #include <map>
@@ -45,7 +44,7 @@ class ManySolids {
       result.push_back({operands, Solid()});
       numbers.push_back(&cells);
     }
-    tbb::parallel_for(std::size_t(0), result.size(), [&](std::size_t i) {
+    parallel::loop(0, result.size(), [&](std::size_t i) {
       steering_.check();
       std::vector<std::uint8_t> in(cells_.winding.size(), 0);
       for (const std::uint32_t c : *numbers[i]) in[c] = 1;

@@ -1,13 +1,12 @@
 #include "arrangement/boolean_tree.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <mutex>
 #include <span>
 
+#include "parallel/parallel.h"
 #include "search/morton.h"
 #include "storage/solid_data.h"
 
@@ -23,8 +22,8 @@ class BooleanTree {
     if (solids.size() == 1) return solids[0];
     const std::size_t half = solids.size() / 2;
     Solid first, second;
-    tbb::parallel_invoke([&] { first = run(solids.first(half)); },
-                         [&] { second = run(solids.subspan(half)); });
+    parallel::invoke([&] { first = run(solids.first(half)); },
+                     [&] { second = run(solids.subspan(half)); });
     steering_.check();
     if (operation_ == Operation::intersect && (first.is_empty() || second.is_empty()))
       return Solid();
@@ -57,8 +56,8 @@ class BooleanTree {
 // In the order of a curve that fills space.
 std::vector<Solid> in_order(const std::vector<Solid>& solids) {
   std::vector<Box> boxes(solids.size());
-  tbb::parallel_for(std::size_t(0), boxes.size(),
-                    [&](std::size_t i) { boxes[i] = solids[i].data()->slot_tree().bounds(); });
+  parallel::loop(0, boxes.size(),
+                 [&](std::size_t i) { boxes[i] = solids[i].data()->slot_tree().bounds(); });
   Box all;
   for (const Box& b : boxes) all.add(b);
   const Morton morton(all);

@@ -1,8 +1,5 @@
 #include "arrangement/cells.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -12,6 +9,7 @@
 #include "geometry/face_predicates.h"
 #include "geometry/triangulation.h"
 #include "import/edge_buckets.h"
+#include "parallel/parallel.h"
 #include "sectile/errors.h"
 
 namespace sectile::arrangement {
@@ -47,7 +45,7 @@ class EdgeFinder {
     cells_.mate.assign(faces_.polygons.corners.size(), none);
     constexpr std::uint32_t block = 4096;
     std::vector<Found> found((buckets_.count() + block - 1) / block);
-    tbb::parallel_for(std::size_t(0), found.size(), [&](std::size_t b) {
+    parallel::loop(0, found.size(), [&](std::size_t b) {
       const auto from = static_cast<std::uint32_t>(b) * block;
       for (std::uint32_t p = from; p < std::min(from + block, buckets_.count()); ++p)
         match_bucket(PointId(p), buckets_[p], found[b]);
@@ -69,15 +67,14 @@ class EdgeFinder {
   void find_faces() {
     const Polygons& polygons = faces_.polygons;
     cells_.face_of.resize(polygons.corners.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.size(), 4096),
-                      [&](const auto& range) {
-                        for (std::size_t f = range.begin(); f < range.end(); ++f) {
-                          const std::uint32_t begin = polygons.loop_begin(polygons.first_loop(f)),
-                                              end = polygons.loop_end[polygons.face_end[f] - 1];
-                          for (std::uint32_t c = begin; c < end; ++c)
-                            cells_.face_of[c] = static_cast<std::uint32_t>(f);
-                        }
-                      });
+    parallel::loop(tbb::blocked_range<std::size_t>(0, faces_.size(), 4096), [&](const auto& range) {
+      for (std::size_t f = range.begin(); f < range.end(); ++f) {
+        const std::uint32_t begin = polygons.loop_begin(polygons.first_loop(f)),
+                            end = polygons.loop_end[polygons.face_end[f] - 1];
+        for (std::uint32_t c = begin; c < end; ++c)
+          cells_.face_of[c] = static_cast<std::uint32_t>(f);
+      }
+    });
   }
 
   void match_bucket(PointId low, std::span<LineEntry> bucket, Found& found) {
@@ -251,7 +248,7 @@ class CellFinder {
     winding_.resize(cell_of_.size());
     known_.assign(cell_of_.size(), 0);
     links_ = Links(cell_of_);
-    tbb::parallel_for(std::size_t(0), components_.size(), [&](std::size_t i) {
+    parallel::loop(0, components_.size(), [&](std::size_t i) {
       steering_.check();
       Component& component = components_[i];
       const std::uint32_t f = patch_face_[component.patches[0]];

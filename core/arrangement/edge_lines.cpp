@@ -1,12 +1,9 @@
 #include "arrangement/edge_lines.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <tuple>
 
+#include "parallel/parallel.h"
 #include "sectile/errors.h"
 
 namespace sectile::arrangement {
@@ -29,7 +26,7 @@ std::vector<Use> uses_of(const Facets& facets, const std::vector<std::uint8_t>& 
       uses.push_back({std::min(p, q), std::max(p, q), c});
     }
   }
-  tbb::parallel_sort(uses.begin(), uses.end());
+  parallel::sort(uses.begin(), uses.end());
   return uses;
 }
 
@@ -91,7 +88,7 @@ EdgeLines::EdgeLines(const Facets& facets, const std::vector<std::uint8_t>& want
     const std::size_t end = i + 1 < first.size() ? first[i + 1] : uses.size();
     return std::span(uses).subspan(first[i], end - first[i]);
   };
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, first.size(), 256), [&](const auto& range) {
+  parallel::loop(tbb::blocked_range<std::size_t>(0, first.size(), 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       lines_[i] = find(uses_on(i));
       for (const Use& use : uses_on(i)) line_of_[use.corner] = static_cast<std::uint32_t>(i);
@@ -104,7 +101,7 @@ EdgeLines::EdgeLines(const Facets& facets, const std::vector<std::uint8_t>& want
         PlaneDefinition::along_axis(line.from, line.to, kernel.main_axis(line.a)));
   }
   kernel.refresh();
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, uses.size(), 256), [&](const auto& range) {
+  parallel::loop(tbb::blocked_range<std::size_t>(0, uses.size(), 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const std::uint32_t corner = uses[i].corner;
       const EdgeLine& l = line(corner);

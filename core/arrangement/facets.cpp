@@ -1,12 +1,9 @@
 #include "arrangement/facets.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <utility>
 
+#include "parallel/parallel.h"
 #include "storage/geometry_loader.h"
 
 namespace sectile::arrangement {
@@ -15,7 +12,7 @@ void Facets::link() {
   const std::size_t count = polygons.corners.size();
   face_of.resize(count);
   next.resize(count);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, face_count(), 4096), [&](const auto& range) {
+  parallel::loop(tbb::blocked_range<std::size_t>(0, face_count(), 4096), [&](const auto& range) {
     for (std::size_t f = range.begin(); f < range.end(); ++f)
       for (std::uint32_t l = polygons.first_loop(f); l < polygons.face_end[f]; ++l) {
         const std::uint32_t first = polygons.loop_begin(l), last = polygons.loop_end[l] - 1;
@@ -42,7 +39,7 @@ void unite_places(const Kernel& kernel, std::vector<PointId> points, std::vector
   points.erase(std::remove_if(points.begin(), points.end(),
                               [&](PointId p) { return std::exchange(seen[p.value()], 1) != 0; }),
                points.end());
-  tbb::parallel_sort(points.begin(), points.end(), before);
+  parallel::sort(points.begin(), points.end(), before);
   // Only points whose rounded positions are equal may be at one place.
   std::vector<std::span<const PointId>> groups;
   for (std::size_t from = 0, to; from < points.size(); from = to) {
@@ -50,7 +47,7 @@ void unite_places(const Kernel& kernel, std::vector<PointId> points, std::vector
       ++to;
     if (to - from > 1) groups.push_back(std::span(points).subspan(from, to - from));
   }
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups.size(), 16), [&](const auto& range) {
+  parallel::loop(tbb::blocked_range<std::size_t>(0, groups.size(), 16), [&](const auto& range) {
     std::vector<PointId> places;
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       places.clear();

@@ -1,13 +1,10 @@
 #include "arrangement/pairs.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
-
 #include <array>
 #include <optional>
 
 #include "boolean/collect.h"
+#include "parallel/parallel.h"
 
 namespace sectile::arrangement {
 namespace {
@@ -202,14 +199,13 @@ std::vector<std::uint8_t> find_convex(const Facets& facets, const Kernel& kernel
     }
     return false;
   };
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, convex.size(), 1024), [&](const auto& range) {
-        for (std::size_t f = range.begin(); f < range.end(); ++f) {
-          if (facets.polygons.is_triangle(f)) continue;
-          convex[f] =
-              facets.polygons.face_end[f] == facets.polygons.first_loop(f) + 1 && !turns_right(f);
-        }
-      });
+  parallel::loop(tbb::blocked_range<std::size_t>(0, convex.size(), 1024), [&](const auto& range) {
+    for (std::size_t f = range.begin(); f < range.end(); ++f) {
+      if (facets.polygons.is_triangle(f)) continue;
+      convex[f] =
+          facets.polygons.face_end[f] == facets.polygons.first_loop(f) + 1 && !turns_right(f);
+    }
+  });
   return convex;
 }
 
@@ -228,7 +224,7 @@ std::vector<FacePair> find_pairs(const Facets& facets, const BoxTree& tree,
          });
        }))
     append(pairs, found);
-  tbb::parallel_sort(pairs.begin(), pairs.end());
+  parallel::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 

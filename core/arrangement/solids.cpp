@@ -1,10 +1,8 @@
 #include "arrangement/solids.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include "boolean/cleanup/cleanup.h"
 #include "import/brep_builder.h"
+#include "parallel/parallel.h"
 #include "sectile/errors.h"
 #include "storage/geometry_loader.h"
 
@@ -142,13 +140,12 @@ class Builder {
     std::uint32_t edge = 0;
     for (std::uint32_t c = 0; c < mate_.size(); ++c)
       if (c < mate_[c]) corner_of[edge++] = c;
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, flat.size(), 2048), [&](const auto& range) {
-          for (std::size_t e = range.begin(); e < range.end(); ++e) {
-            const std::uint32_t c = corner_of[e];
-            flat[e] = kernel_.parallel(faces_.plane[face(c)], faces_.plane[face(mate_[c])]);
-          }
-        });
+    parallel::loop(tbb::blocked_range<std::size_t>(0, flat.size(), 2048), [&](const auto& range) {
+      for (std::size_t e = range.begin(); e < range.end(); ++e) {
+        const std::uint32_t c = corner_of[e];
+        flat[e] = kernel_.parallel(faces_.plane[face(c)], faces_.plane[face(mate_[c])]);
+      }
+    });
     for (std::size_t e = 0; e < flat.size(); ++e) {
       const std::uint32_t c = corner_of[e];
       if (flat[e]) pin(EdgeId(e), c);

@@ -1,14 +1,12 @@
 #include "arrangement/sub_faces.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <map>
 #include <numeric>
 
 #include "arrangement/plane_regions.h"
 #include "boolean/collect.h"
+#include "parallel/parallel.h"
 
 namespace sectile::arrangement {
 namespace {
@@ -164,7 +162,7 @@ class Collector {
 void divide_planes(std::vector<PlanePieces>& planes, const Facets& facets, const EdgeLines& lines,
                    Geometry& geometry, Kernel& kernel, std::vector<PointId>& first_at,
                    const Traces& traces, const Groups& groups, const Steering& steering) {
-  tbb::parallel_for(std::size_t(0), planes.size(), [&](std::size_t i) {
+  parallel::loop(0, planes.size(), [&](std::size_t i) {
     steering.check();
     planes[i].find_crossings(kernel, lines);
   });
@@ -183,7 +181,7 @@ void divide_planes(std::vector<PlanePieces>& planes, const Facets& facets, const
         points.push_back(facets.from(c));
     }
   unite_places(kernel, std::move(points), first_at);
-  tbb::parallel_for(std::size_t(0), planes.size(), [&](std::size_t i) {
+  parallel::loop(0, planes.size(), [&](std::size_t i) {
     planes[i].divide(kernel, std::span(made).subspan(first[i], first[i + 1] - first[i]), first_at,
                      facets);
   });
@@ -193,7 +191,7 @@ void divide_planes(std::vector<PlanePieces>& planes, const Facets& facets, const
 
 BoxTree tree_of(const Facets& facets, const Geometry& geometry) {
   std::vector<Box> boxes(facets.face_count());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
+  parallel::loop(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
     for (std::size_t f = range.begin(); f < range.end(); ++f) {
       Bounds bounds;
       for (const PointId p : facets.polygons.loop(facets.polygons.first_loop(f)))
@@ -222,7 +220,7 @@ SubFaces arrange(const Facets& facets, const BoxTree& tree, Counting counting, G
   for (const auto& group : groups.groups) planes.emplace_back(facets, lines, traces, group);
   divide_planes(planes, facets, lines, geometry, kernel, first_at, traces, groups, steering);
   std::vector<Regions> regions(planes.size());
-  tbb::parallel_for(std::size_t(0), planes.size(), [&](std::size_t i) {
+  parallel::loop(0, planes.size(), [&](std::size_t i) {
     steering.check();
     regions[i] = find_regions(planes[i], kernel);
   });

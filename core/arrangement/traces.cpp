@@ -1,11 +1,9 @@
 #include "arrangement/traces.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "boolean/collect.h"
+#include "parallel/parallel.h"
 
 namespace sectile::arrangement {
 namespace {
@@ -192,7 +190,7 @@ PairPoints collect_points(std::vector<Contacts>& found, std::size_t pairs, Geome
 std::vector<PointId> add_points(const std::vector<Construction>& constructions, Geometry& geometry,
                                 Kernel& kernel) {
   std::vector<ConstructedPoint> points(constructions.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 64), [&](const auto& range) {
+  parallel::loop(tbb::blocked_range<std::size_t>(0, points.size(), 64), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i)
       points[i] = kernel.construct(constructions[i]);
   });

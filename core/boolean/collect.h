@@ -1,14 +1,12 @@
 // Runs a loop on all cores and collects what it produces, in the order of the loop.
 #pragma once
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "boolean/workspace.h"
+#include "parallel/parallel.h"
 
 namespace sectile {
 
@@ -27,7 +25,7 @@ std::vector<Output> collect_blocks(std::size_t count, std::size_t block, const B
   if (blocks <= 1) {
     if (blocks == 1) run(0);
   } else {
-    tbb::parallel_for(std::size_t(0), blocks, run);
+    parallel::loop(0, blocks, run);
   }
   return outputs;
 }

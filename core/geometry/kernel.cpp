@@ -1,12 +1,10 @@
 #include "geometry/kernel.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "numbers/rounding.h"
+#include "parallel/parallel.h"
 
 namespace sectile {
 namespace {
@@ -73,8 +71,8 @@ void Kernel::refresh() {
   if (count - known < 4096) {
     fill(known, count);
   } else {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(known, count, 4096),
-                      [&](const auto& range) { fill(range.begin(), range.end()); });
+    parallel::loop(tbb::blocked_range<std::size_t>(known, count, 4096),
+                   [&](const auto& range) { fill(range.begin(), range.end()); });
   }
   grow(bounded_planes_, count);
   grow(exact_planes_, count);

@@ -1,8 +1,6 @@
 #include "import/brep_builder.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "parallel/parallel.h"
 #include "topology/vertex_cycles.h"
 
 namespace sectile {
@@ -43,7 +41,7 @@ class BrepBuilder {
     brep_.loop_half_edge.resize(loops);
     brep_.loop_face.resize(loops);
     brep_.next_loop.resize(loops);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces, 1024), [&](const auto& range) {
+    parallel::loop(tbb::blocked_range<std::size_t>(0, faces, 1024), [&](const auto& range) {
       for (std::size_t f = range.begin(); f < range.end(); ++f) add_face(FaceId(f));
     });
   }

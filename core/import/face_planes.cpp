@@ -1,5 +1,3 @@
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +7,7 @@
 #include "geometry/triangulation.h"
 #include "import/crossing.h"
 #include "import/polygons.h"
+#include "parallel/parallel.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -63,11 +62,11 @@ class PlaneFinder {
   void run() {
     add_planes();
     kernel_.refresh();
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, shapes_.size(), 1024),
-                      [&](const auto& range) {
-                        for (std::size_t f = range.begin(); f < range.end(); ++f)
-                          if (!polygons_.is_triangle(f)) shapes_[f] = shape(f);
-                      });
+    parallel::loop(tbb::blocked_range<std::size_t>(0, shapes_.size(), 1024),
+                   [&](const auto& range) {
+                     for (std::size_t f = range.begin(); f < range.end(); ++f)
+                       if (!polygons_.is_triangle(f)) shapes_[f] = shape(f);
+                   });
     const auto is_whole = [](Shape shape) { return shape == Shape::whole; };
     if (std::all_of(shapes_.begin(), shapes_.end(), is_whole)) return;
     refuse_wrong_ones();
@@ -81,7 +80,7 @@ class PlaneFinder {
   void add_planes() {
     const std::size_t count = polygons_.face_count();
     geometry_.planes.resize(count);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
+    parallel::loop(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
       for (std::size_t f = range.begin(); f < range.end(); ++f) {
         const auto loop = polygons_.loop(polygons_.first_loop(f));
         const auto [a, b, c] =
@@ -145,7 +144,7 @@ class PlaneFinder {
     for (std::size_t f = 0; f < shapes_.size(); ++f)
       if (shapes_[f] != Shape::whole) split.push_back(f);
     std::vector<Polygons> pieces(split.size());
-    tbb::parallel_for(std::size_t(0), split.size(), [&](std::size_t i) {
+    parallel::loop(0, split.size(), [&](std::size_t i) {
       split_face(kernel_, polygons_, split[i], shapes_[split[i]] != Shape::bent, crossing_,
                  pieces[i]);
     });

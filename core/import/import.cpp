@@ -1,5 +1,3 @@
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <atomic>
 #include <string>
@@ -12,6 +10,7 @@
 #include "import/join_flat_faces.h"
 #include "import/polygons.h"
 #include "import/shells.h"
+#include "parallel/parallel.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -39,7 +38,7 @@ bool lies_flat(const Brep& brep, const Kernel& kernel, HalfEdgeId h) {
 
 void pin_flat_edges(Brep& brep, Geometry& geometry, const Kernel& kernel) {
   std::vector<std::uint8_t> flat(brep.edge_count(), 0);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, flat.size(), 2048), [&](const auto& range) {
+  parallel::loop(tbb::blocked_range<std::size_t>(0, flat.size(), 2048), [&](const auto& range) {
     for (std::size_t e = range.begin(); e < range.end(); ++e) {
       const HalfEdgeId h = Brep::half_edge(EdgeId(e));
       flat[e] = lies_flat(brep, kernel, h);

@@ -1,6 +1,4 @@
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <string>
@@ -11,6 +9,7 @@
 #include "import/edge_buckets.h"
 #include "import/flat_edges.h"
 #include "import/polygons.h"
+#include "parallel/parallel.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -30,11 +29,11 @@ class Matcher {
   /// Pairs what runs both ways between two points.
   void pair_plain() {
     tbb::enumerable_thread_specific<std::vector<Line>> odd;
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, buckets_.count(), 1024),
-                      [&](const auto& range) {
-                        for (std::uint32_t p = range.begin(); p < range.end(); ++p)
-                          match_bucket(PointId(p), buckets_[p], odd.local());
-                      });
+    parallel::loop(tbb::blocked_range<std::uint32_t>(0, buckets_.count(), 1024),
+                   [&](const auto& range) {
+                     for (std::uint32_t p = range.begin(); p < range.end(); ++p)
+                       match_bucket(PointId(p), buckets_[p], odd.local());
+                   });
     for (const auto& some : odd) lines_.insert(lines_.end(), some.begin(), some.end());
     std::sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) {
       return std::pair(a.low, a.entries[0].high) < std::pair(b.low, b.entries[0].high);

@@ -7,6 +7,7 @@
 #include "geometry/formulas.h"
 #include "numbers/bounded.h"
 #include "numbers/rounding.h"
+#include "parallel/parallel.h"
 
 namespace sectile {
 namespace {
@@ -22,7 +23,7 @@ class Corners {
   explicit Corners(const Geometry& geometry) : geometry_(geometry) {
     if (geometry.constructions.empty() && geometry.moved.empty()) return;
     corners_.resize(geometry.positions.size());
-    tbb::parallel_for(std::size_t(0), corners_.size(), [&](std::size_t i) {
+    parallel::loop(0, corners_.size(), [&](std::size_t i) {
       if (const PointId p(i); !geometry.is_explicit(p)) corners_[i] = corner(p);
     });
   }

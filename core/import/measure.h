@@ -4,11 +4,10 @@
 // any length (measure_exactly.cpp).
 #pragma once
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <vector>
 
+#include "parallel/parallel.h"
 #include "storage/solid_data.h"
 
 namespace sectile {
@@ -44,7 +43,7 @@ Number sum_over_faces(std::size_t faces, const Part& part) {
   if (parts.size() < 4) {
     for (std::size_t i = 0; i < parts.size(); ++i) fill(i);
   } else {
-    tbb::parallel_for(std::size_t(0), parts.size(), fill);
+    parallel::loop(0, parts.size(), fill);
   }
   Number sum{};
   for (const Number& p : parts) sum = sum + p;

@@ -8,6 +8,7 @@
 #include "geometry/formulas.h"
 #include "geometry/kernel.h"
 #include "import/measure.h"
+#include "parallel/parallel.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -24,7 +25,7 @@ class Corners {
  public:
   Corners(const Geometry& geometry, const Kernel& kernel, int bits)
       : geometry_(geometry), constructed_(geometry.constructions.size()) {
-    tbb::parallel_for(std::size_t(0), constructed_.size(), [&](std::size_t i) {
+    parallel::loop(0, constructed_.size(), [&](std::size_t i) {
       const ExactPoint p = kernel.exact(geometry.constructions[i]);
       for (std::size_t k = 0; k < 3; ++k) constructed_[i][k] = quotient(p.x[k], p.w, bits);
     });

@@ -1,5 +1,3 @@
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <bit>
@@ -7,6 +5,7 @@
 #include <string>
 
 #include "import/polygons.h"
+#include "parallel/parallel.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -77,7 +76,7 @@ bool is_finite(const Vec3& p) {
 // The first number below `end` for which `wrong` holds, or end.
 template <class Wrong>
 std::size_t first_wrong(std::size_t end, const Wrong& wrong) {
-  return tbb::parallel_reduce(
+  return parallel::reduce(
       tbb::blocked_range<std::size_t>(0, end, 16384), end,
       [&](const auto& range, std::size_t known) {
         for (std::size_t i = range.begin(); i < range.end() && i < known; ++i)

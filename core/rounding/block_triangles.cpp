@@ -1,13 +1,12 @@
 #include "rounding/block_triangles.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <numeric>
 
 #include "geometry/face_predicates.h"
 #include "geometry/kernel.h"
 #include "geometry/triangulation.h"
+#include "parallel/parallel.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -134,7 +133,7 @@ class Collector {
     count();
     unite_vertices();
     result_.one_shell = is_one_shell();
-    tbb::parallel_for(std::size_t(0), slots_.size(), [&](std::size_t s) {
+    parallel::loop(0, slots_.size(), [&](std::size_t s) {
       if (!slots_[s].empty()) write(static_cast<std::uint32_t>(s));
     });
     return std::move(result_);
@@ -144,7 +143,7 @@ class Collector {
   bool cut_polygons() {
     polygons_.resize(slots_.size());
     std::vector<std::uint8_t> whole(slots_.size(), 1);
-    tbb::parallel_for(std::size_t(0), slots_.size(), [&](std::size_t s) {
+    parallel::loop(0, slots_.size(), [&](std::size_t s) {
       if (!slots_[s].empty()) whole[s] = FaceCutter(slots_[s], polygons_[s]).run();
     });
     return std::find(whole.begin(), whole.end(), 0) == whole.end();

@@ -1,12 +1,11 @@
 #include "rounding/plain_rounding.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "geometry/kernel.h"
+#include "parallel/parallel.h"
 #include "rounding/block_triangles.h"
 #include "search/box_tree.h"
 #include "selftest/self_test.h"
@@ -59,7 +58,7 @@ class PlainRounding {
   // Where most corners move, as they do in floats, the whole has to be tested.
   bool most_stay() const {
     std::vector<std::size_t> moved(slots_.size(), 0), all(slots_.size(), 0);
-    tbb::parallel_for(std::size_t(0), slots_.size(), [&](std::size_t s) {
+    parallel::loop(0, slots_.size(), [&](std::size_t s) {
       if (slots_[s].empty()) return;
       const Geometry& g = slots_[s].block->geometry;
       all[s] = g.positions.size();
@@ -80,7 +79,7 @@ class PlainRounding {
     bounds_.resize(slots_.size());
     has_moved_corner_.assign(slots_.size(), 0);
     std::vector<std::vector<Moved>> moved(slots_.size());
-    tbb::parallel_for(std::size_t(0), slots_.size(), [&](std::size_t i) {
+    parallel::loop(0, slots_.size(), [&](std::size_t i) {
       const auto s = static_cast<std::uint32_t>(i);
       if (slots_[s].empty()) return;
       const Brep& brep = slots_[s].block->brep;
@@ -112,7 +111,7 @@ class PlainRounding {
 
   void find_moved_triangles() {
     std::vector<std::vector<std::uint32_t>> found(slots_.size());
-    tbb::parallel_for(std::size_t(0), slots_.size(), [&](std::size_t s) {
+    parallel::loop(0, slots_.size(), [&](std::size_t s) {
       if (has_moved_corner_[s] == 0) return;
       for (std::uint32_t t = triangles_.first_triangle[s]; t < triangles_.first_triangle[s + 1];
            ++t)
@@ -135,7 +134,7 @@ class PlainRounding {
     for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = box(moved_triangles_[i]);
     const BoxTree tree(boxes);
     std::vector<std::vector<std::uint32_t>> found(slots_.size());
-    tbb::parallel_for(std::size_t(0), slots_.size(), [&](std::size_t s) {
+    parallel::loop(0, slots_.size(), [&](std::size_t s) {
       const std::uint32_t begin = triangles_.first_triangle[s],
                           end = triangles_.first_triangle[s + 1];
       const auto meets = [&](const Box& own) {
@@ -222,7 +221,7 @@ class PlainRounding {
     const Vec3 o = positions_[0];
     constexpr std::size_t block = 4096;
     std::vector<Sums> sums((triangle_count() + block - 1) / block);
-    tbb::parallel_for(std::size_t(0), sums.size(), [&](std::size_t b) {
+    parallel::loop(0, sums.size(), [&](std::size_t b) {
       Sums& mine = sums[b];
       for (std::size_t t = b * block; t < std::min(triangle_count(), (b + 1) * block); ++t) {
         const Corners c = corners(static_cast<std::uint32_t>(t));

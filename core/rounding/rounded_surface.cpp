@@ -1,10 +1,8 @@
 #include "rounding/rounded_surface.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 
+#include "parallel/parallel.h"
 #include "rounding/conforming.h"
 #include "selftest/solid_surface.h"
 
@@ -64,18 +62,17 @@ RoundedSurface::RoundedSurface(const SolidData& data, const RoundingGrid& grid,
   step(0.9);
   geometry.planes.resize(surface.size());
   surface.settled.resize(surface.size());
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, surface.size(), 4096), [&](const auto& range) {
-        for (std::size_t t = range.begin(); t < range.end(); ++t) {
-          source[t] = brep.source[FaceId(surface.face[t])];
-          const auto& c = surface.corners[t];
-          geometry.planes[PlaneId(t)] = PlaneDefinition::through(c[0], c[1], c[2]);
-          surface.plane[t] = PlaneId(t);
-          surface.face[t] = static_cast<std::uint32_t>(t);
-          const Corners& v = corners[t];
-          surface.settled[t] = !(has_moved[v[0]] || has_moved[v[1]] || has_moved[v[2]]);
-        }
-      });
+  parallel::loop(tbb::blocked_range<std::size_t>(0, surface.size(), 4096), [&](const auto& range) {
+    for (std::size_t t = range.begin(); t < range.end(); ++t) {
+      source[t] = brep.source[FaceId(surface.face[t])];
+      const auto& c = surface.corners[t];
+      geometry.planes[PlaneId(t)] = PlaneDefinition::through(c[0], c[1], c[2]);
+      surface.plane[t] = PlaneId(t);
+      surface.face[t] = static_cast<std::uint32_t>(t);
+      const Corners& v = corners[t];
+      surface.settled[t] = !(has_moved[v[0]] || has_moved[v[1]] || has_moved[v[2]]);
+    }
+  });
   surface.doubtful.clear();
   step(1);
 }

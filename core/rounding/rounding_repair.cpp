@@ -1,12 +1,11 @@
 #include "rounding/rounding_repair.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <unordered_set>
+
+#include "parallel/parallel.h"
 
 namespace sectile {
 namespace {
@@ -35,16 +34,15 @@ std::vector<std::uint32_t> faulty_triangles(RoundedSurface& rounded, const Kerne
                                             const SelfTestControl& control) {
   TriangleSurface& surface = rounded.surface;
   surface.ignored.resize(surface.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.size(), 4096),
-                    [&](const auto& range) {
-                      for (std::size_t t = range.begin(); t < range.end(); ++t) {
-                        const PlaneId plane = surface.plane[t];
-                        const bool flat = kernel.normal(plane, 0) == Sign::zero &&
-                                          kernel.normal(plane, 1) == Sign::zero &&
-                                          kernel.normal(plane, 2) == Sign::zero;
-                        surface.ignored[t] = rounded.alive[t] == 0 || flat;
-                      }
-                    });
+  parallel::loop(tbb::blocked_range<std::size_t>(0, surface.size(), 4096), [&](const auto& range) {
+    for (std::size_t t = range.begin(); t < range.end(); ++t) {
+      const PlaneId plane = surface.plane[t];
+      const bool flat = kernel.normal(plane, 0) == Sign::zero &&
+                        kernel.normal(plane, 1) == Sign::zero &&
+                        kernel.normal(plane, 2) == Sign::zero;
+      surface.ignored[t] = rounded.alive[t] == 0 || flat;
+    }
+  });
   std::vector<std::uint32_t> faulty;
   for (std::uint32_t t = 0; t < surface.size(); ++t)
     if (surface.ignored[t] != 0 && rounded.alive[t] != 0) faulty.push_back(t);

@@ -1,9 +1,6 @@
 #include "search/box_tree.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
-
+#include "parallel/parallel.h"
 #include "search/morton.h"
 
 namespace sectile {
@@ -16,8 +13,8 @@ void for_range(std::size_t count, const Body& body) {
   if (count < parallel_from) {
     body(std::size_t(0), count);
   } else {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 2048),
-                      [&](const auto& range) { body(range.begin(), range.end()); });
+    parallel::loop(tbb::blocked_range<std::size_t>(0, count, 2048),
+                   [&](const auto& range) { body(range.begin(), range.end()); });
   }
 }
 
@@ -46,7 +43,7 @@ BoxTree::BoxTree(const std::vector<Box>& boxes, const std::vector<std::uint32_t>
   if (keys.size() < parallel_from) {
     std::sort(keys.begin(), keys.end());
   } else {
-    tbb::parallel_sort(keys.begin(), keys.end());
+    parallel::sort(keys.begin(), keys.end());
   }
   items_.resize(boxes.size());
   item_boxes_.resize(boxes.size());

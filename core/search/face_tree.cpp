@@ -1,8 +1,6 @@
 #include "search/face_tree.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "parallel/parallel.h"
 #include "search/approximate.h"
 
 namespace sectile {
@@ -27,8 +25,8 @@ std::vector<Box> face_boxes(const Brep& brep, const Geometry& geometry) {
   if (boxes.size() < 4096) {
     fill(0, boxes.size());
   } else {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048),
-                      [&](const auto& range) { fill(range.begin(), range.end()); });
+    parallel::loop(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048),
+                   [&](const auto& range) { fill(range.begin(), range.end()); });
   }
   return boxes;
 }

@@ -1,10 +1,10 @@
 // Sorting on all cores where that is worth it.
 #pragma once
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cstddef>
+
+#include "parallel/parallel.h"
 
 namespace sectile {
 
@@ -15,7 +15,7 @@ void large_sort(Container& elements, const Less& less) {
   if (elements.size() < parallel_from)
     std::sort(elements.begin(), elements.end(), less);
   else
-    tbb::parallel_sort(elements.begin(), elements.end(), less);
+    parallel::sort(elements.begin(), elements.end(), less);
 }
 
 }  // namespace sectile

@@ -1,11 +1,10 @@
 #include "selftest/flat_block.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
+#include "parallel/parallel.h"
 #include "selftest/node_labels.h"
 #include "selftest/rim_sweep.h"
 
@@ -81,17 +80,16 @@ void FlatBlocks::note_sides(const TriangleSurface& surface, const TriangleTree& 
   place_.assign(surface.size(), NodeLabels::none);  // far from all, unless it is in the tree
   for (std::size_t level = 0; level < flat_.size(); ++level)
     sides_.emplace_back(tree.nodes(level), std::uint8_t(63));
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sides_[0].size(), 256),
-                    [&](const auto& range) {
-                      for (std::size_t node = range.begin(); node < range.end(); ++node) {
-                        const auto [begin, end] = tree.range(0, node);
-                        for (std::uint32_t i = begin; i < end; ++i) {
-                          const std::uint32_t t = tree.order()[i];
-                          place_[t] = i;
-                          sides_[0][node] &= sides_of(kernel.value(surface.plane[t]));
-                        }
-                      }
-                    });
+  parallel::loop(tbb::blocked_range<std::size_t>(0, sides_[0].size(), 256), [&](const auto& range) {
+    for (std::size_t node = range.begin(); node < range.end(); ++node) {
+      const auto [begin, end] = tree.range(0, node);
+      for (std::uint32_t i = begin; i < end; ++i) {
+        const std::uint32_t t = tree.order()[i];
+        place_[t] = i;
+        sides_[0][node] &= sides_of(kernel.value(surface.plane[t]));
+      }
+    }
+  });
   for (std::size_t level = 1; level < sides_.size(); ++level)
     for (std::size_t node = 0; node < sides_[level].size(); ++node)
       for (unsigned i = 0; i < tree.children(level, node); ++i)
@@ -107,8 +105,7 @@ FlatBlocks::FlatBlocks(const TriangleSurface& surface, const TriangleTree& tree,
   note_sides(surface, tree, kernel);
   tbb::enumerable_thread_specific<Worker> workers(
       [&] { return Worker(*this, surface, tree, kernel); });
-  tbb::parallel_for(std::size_t(0), tree.nodes(top),
-                    [&](std::size_t node) { workers.local().run(top, node); });
+  parallel::loop(0, tree.nodes(top), [&](std::size_t node) { workers.local().run(top, node); });
 }
 
 }  // namespace sectile

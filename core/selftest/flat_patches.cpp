@@ -1,14 +1,12 @@
 #include "selftest/flat_patches.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 
 #include "geometry/four_points.h"
 #include "numbers/rounding.h"
+#include "parallel/parallel.h"
 #include "selftest/rim_sweep.h"
 
 namespace sectile {
@@ -22,7 +20,7 @@ class FlatEdges {
  public:
   FlatEdges(const TriangleSurface& surface, const Kernel& kernel)
       : surface_(surface), kernel_(kernel), bits_(surface.size(), 0) {
-    tbb::parallel_for(
+    parallel::loop(
         tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(surface.size()), 1024),
         [&](const auto& range) {
           for (std::uint32_t t = range.begin(); t < range.end(); ++t)
@@ -141,7 +139,7 @@ FlatPatches::FlatPatches(const TriangleSurface& surface, const Kernel& kernel)
   if (surface.size() < many) return;
   auto sets = plane_sets(surface, FlatEdges(surface, kernel));
   std::vector<std::vector<FlatPatch>> found(sets.size());
-  tbb::parallel_for(std::size_t(0), sets.size(), [&](std::size_t i) {
+  parallel::loop(0, sets.size(), [&](std::size_t i) {
     found[i] = PatchFinder(surface, kernel).run(std::move(sets[i]));
   });
   number(found);

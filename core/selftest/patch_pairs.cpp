@@ -1,9 +1,9 @@
 #include "selftest/patch_pairs.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <utility>
+
+#include "parallel/parallel.h"
 
 namespace sectile {
 
@@ -14,7 +14,7 @@ PatchPairs::PatchPairs(const FlatPatches& patches, const TriangleSurface& surfac
       trees_(patches.count()),
       boxes_(patches.count()),
       left_to_(patches.count()) {
-  tbb::parallel_for(std::size_t(0), patches.count(), [&](std::size_t i) {
+  parallel::loop(0, patches.count(), [&](std::size_t i) {
     trees_[i] = TriangleTree(surface, geometry, patches[i].triangles);
     boxes_[i] = trees_[i].boxes(trees_[i].levels() - 1, 0).all();
   });

@@ -1,7 +1,6 @@
 #include "selftest/self_test.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <mutex>
 #include <tuple>
 
+#include "parallel/parallel.h"
 #include "sectile/errors.h"
 #include "selftest/flat_block.h"
 #include "selftest/flat_patches.h"
@@ -43,7 +43,7 @@ class Traversal {
     const std::size_t level = std::min<std::size_t>(tree_.levels() - 1, 2);
     const std::size_t count = tree_.nodes(level);
     const std::size_t steps = count + hubs_.count() + patch_pairs_.count();
-    tbb::parallel_for(std::size_t(0), count, [&](std::size_t node) {
+    parallel::loop(0, count, [&](std::size_t node) {
       check_cancelled();
       const std::size_t top = tree_.levels() - 1;
       Visitor visitor{*this, found_.local()};
@@ -51,13 +51,13 @@ class Traversal {
       visitor.meet_later(level, node, tree_.boxes(level, node).all(), top, 0);
       note_step(steps);
     });
-    tbb::parallel_for(std::size_t(0), hubs_.count(), [&](std::size_t hub) {
+    parallel::loop(0, hubs_.count(), [&](std::size_t hub) {
       check_cancelled();
       auto& found = found_.local();
       hubs_.for_each_pair(hub, [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); });
       note_step(steps);
     });
-    tbb::parallel_for(std::size_t(0), patch_pairs_.count(), [&](std::size_t patch) {
+    parallel::loop(0, patch_pairs_.count(), [&](std::size_t patch) {
       check_cancelled();
       auto& found = found_.local();
       patch_pairs_.for_each_pair(patch,

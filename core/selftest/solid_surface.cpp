@@ -1,13 +1,11 @@
 #include "selftest/solid_surface.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <span>
 
 #include "geometry/face_predicates.h"
 #include "geometry/triangulation.h"
+#include "parallel/parallel.h"
 #include "sectile/errors.h"
 #include "selftest/rim_sweep.h"
 
@@ -31,7 +29,7 @@ TriangleSurface surface_of_triangles(const Brep& brep) {
   surface.plane.resize(count);
   surface.face.resize(count);
   surface.mate.resize(count);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, chunk), [&](const auto& range) {
+  parallel::loop(tbb::blocked_range<std::size_t>(0, count, chunk), [&](const auto& range) {
     for (std::size_t f = range.begin(); f < range.end(); ++f) {
       HalfEdgeId h = brep.loop_half_edge[brep.outer_loop[FaceId(f)]];
       for (std::size_t k = 0; k < 3; ++k, h = brep.next_of(h)) {
@@ -204,8 +202,8 @@ class SurfaceBuilder {
     note_shapes(crossing);
     number_triangles();
     std::vector<std::uint32_t> owner(brep_.half_edge_count(), none);
-    tbb::parallel_for(std::size_t(0), parts_.size(), [&](std::size_t i) { note_owners(i, owner); });
-    tbb::parallel_for(std::size_t(0), parts_.size(), [&](std::size_t i) { find_mates(i, owner); });
+    parallel::loop(0, parts_.size(), [&](std::size_t i) { note_owners(i, owner); });
+    parallel::loop(0, parts_.size(), [&](std::size_t i) { find_mates(i, owner); });
     return std::move(surface_);
   }
 
@@ -220,7 +218,7 @@ class SurfaceBuilder {
     const std::size_t faces = brep_.face_count();
     parts_.resize((faces + chunk - 1) / chunk);
     shapes_.resize(faces);
-    tbb::parallel_for(std::size_t(0), parts_.size(), [&](std::size_t i) {
+    parallel::loop(0, parts_.size(), [&](std::size_t i) {
       FaceTriangles triangles(brep_, kernel_);
       for (std::size_t f = i * chunk; f < std::min(faces, (i + 1) * chunk); ++f) {
         shapes_[f] = triangles.run(FaceId(f), parts_[i].triangles);

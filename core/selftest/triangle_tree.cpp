@@ -1,12 +1,10 @@
 #include "selftest/triangle_tree.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "parallel/parallel.h"
 #include "search/morton.h"
 #include "search/radix_sort.h"
 
@@ -15,7 +13,7 @@ namespace {
 
 template <class Body>
 void for_range(std::size_t count, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 2048), [&](const auto& range) {
+  parallel::loop(tbb::blocked_range<std::size_t>(0, count, 2048), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
   });
 }

@@ -1,6 +1,6 @@
 #include "storage/block.h"
 
-#include "storage/once_alone.h"
+#include "parallel/once_alone.h"
 
 namespace sectile {
 namespace {

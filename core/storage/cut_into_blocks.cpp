@@ -1,9 +1,8 @@
 #include "storage/cut_into_blocks.h"
 
-#include <tbb/parallel_for.h>
-
 #include <numeric>
 
+#include "parallel/parallel.h"
 #include "search/face_tree.h"
 #include "search/morton.h"
 #include "search/radix_sort.h"
@@ -82,12 +81,11 @@ class Groups {
   std::vector<std::uint64_t> sorted_keys() const {
     const Brep& brep = part_.brep;
     std::vector<Box> boxes(brep.face_count());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048),
-                      [&](const auto& range) {
-                        for (std::size_t f = range.begin(); f < range.end(); ++f)
-                          if (brep.kind_of(FaceId(f)) == FaceKind::real)
-                            boxes[f] = face_box(brep, part_.geometry, FaceId(f));
-                      });
+    parallel::loop(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
+      for (std::size_t f = range.begin(); f < range.end(); ++f)
+        if (brep.kind_of(FaceId(f)) == FaceKind::real)
+          boxes[f] = face_box(brep, part_.geometry, FaceId(f));
+    });
     std::vector<std::uint64_t> keys;
     keys.reserve(boxes.size());
     Box all;
@@ -135,7 +133,7 @@ class Cutter {
     if (blocks_.size() < 4) {
       for (std::size_t g = 0; g < blocks_.size(); ++g) body(g);
     } else {
-      tbb::parallel_for(std::size_t(0), blocks_.size(), body);
+      parallel::loop(0, blocks_.size(), body);
     }
   }
 

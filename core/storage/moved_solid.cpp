@@ -1,8 +1,7 @@
 #include "storage/moved_solid.h"
 
-#include <tbb/parallel_for.h>
-
 #include "geometry/moved_geometry.h"
+#include "parallel/parallel.h"
 
 namespace sectile {
 namespace {
@@ -14,7 +13,7 @@ std::shared_ptr<const SolidData> moved(const SolidData& solid, const Frame& fram
   std::vector<Slot> slots(solid.slots().begin(), solid.slots().end());
   // A mirrored half-edge has its face on the other side.
   const bool mirrors = frame.determinant().sign() == Sign::negative;
-  tbb::parallel_for(std::size_t(0), slots.size(), [&](std::size_t i) {
+  parallel::loop(0, slots.size(), [&](std::size_t i) {
     Slot& slot = slots[i];
     if (slot.empty()) return;
     slot.block = std::make_shared<const Block>(*slot.block, mover(slot.block->geometry));

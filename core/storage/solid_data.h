@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
+#include "parallel/once_alone.h"
 #include "storage/block.h"
 #include "storage/border_links.h"
-#include "storage/once_alone.h"
 
 namespace sectile {
 
