@@ -27,11 +27,11 @@ std::vector<Written> convert_parts(const Arguments& arguments, const Model& mode
   Operands operands;
   std::vector<NamedSolid> parts;
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
-    const auto& [name, mesh, colour] = model.meshes[i];
-    const std::string part = part_name(name, i, model.meshes.size());
+    const NamedMesh& read = model.meshes[i];
+    const std::string part = part_name(read.name, i, model.meshes.size());
     operands.names.push_back(arguments.input + (part.empty() ? "" : "#" + part));
-    operands.solids.push_back(import_input(operands.names.back(), mesh, progress));
-    parts.push_back({name, operands.solids.back()});
+    operands.solids.push_back(import_input(operands.names.back(), read.mesh, progress));
+    parts.push_back({read.name, operands.solids.back()});
   }
   return write_parts(arguments.output, parts, model.unit, options, progress);
 }
