@@ -241,7 +241,7 @@ TEST(Rounding, BlockByBlockIsTheSameAsTheWhole) {
 
 // A corner that hardly lies behind a face comes to lie on it: the surroundings tell.
 TEST(Rounding, BlockByBlockFindsWhatMeetsAfterwards) {
-  const Solid ball = sphere(1, 64, 32);
+  const Solid ball = sphere(1, 28, 14);
   for (const double angle : {1e-9, 1e-12, 1e-15}) {
     const Solid other = Solid::from_mesh(turned(ball, angle).to_mesh());
     for (const Operation operation : {Operation::unite, Operation::subtract})
