@@ -9,30 +9,12 @@
 #include "geometry/face_predicates.h"
 #include "geometry/triangulation.h"
 #include "import/edge_buckets.h"
+#include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
 #include "sectile/errors.h"
 
 namespace sectile::arrangement {
 namespace {
-
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(std::uint32_t i, std::uint32_t j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 // Which sub-faces meet in each edge.
 class EdgeFinder {
@@ -195,7 +177,7 @@ class CellFinder {
   std::uint32_t patch(const EdgeFan::Side& s) const { return patch_of_[cells_.face_of[s.corner]]; }
 
   void unite_sides() {
-    Sets sides(2 * patch_count()), components(patch_count());
+    DisjointSets sides(2 * patch_count()), components(patch_count());
     for (const EdgeFan& fan : cells_.fans) {
       const auto around = cells_.of(fan);
       for (std::size_t i = 0; i < around.size(); ++i) {
@@ -205,9 +187,9 @@ class CellFinder {
       }
     }
     cell_of_.resize(2 * patch_count());
-    for (std::uint32_t s = 0; s < cell_of_.size(); ++s) cell_of_[s] = sides.find(s);
+    for (std::uint32_t s = 0; s < cell_of_.size(); ++s) cell_of_[s] = sides.first(s);
     component_of_.resize(patch_count());
-    for (std::uint32_t p = 0; p < component_of_.size(); ++p) component_of_[p] = components.find(p);
+    for (std::uint32_t p = 0; p < component_of_.size(); ++p) component_of_[p] = components.first(p);
   }
 
   // Numbers the components, and lists their patches.

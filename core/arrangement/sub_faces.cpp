@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "arrangement/plane_regions.h"
 #include "boolean/collect.h"
+#include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
 
 namespace sectile::arrangement {
@@ -15,21 +15,19 @@ namespace {
 class Groups {
  public:
   Groups(const Facets& facets, const std::vector<FacePair>& pairs, const Traces& traces)
-      : facets_(facets), traces_(traces), parent_(facets.face_count()) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-    std::vector<std::uint8_t> overlaps(parent_.size(), 0);
+      : facets_(facets), traces_(traces), sets_(facets.face_count()) {
+    std::vector<std::uint8_t> overlaps(sets_.size(), 0);
     for (const FacePair& pair : pairs)
       if (pair.how == Meeting::overlapping) {
         overlaps[pair.f] = overlaps[pair.g] = 1;
-        const std::uint32_t a = root(pair.f), b = root(pair.g);
-        parent_[std::max(a, b)] = std::min(a, b);
+        sets_.unite(pair.f, pair.g);
       }
-    std::vector<std::uint32_t> number(parent_.size(), none);
-    divided.assign(parent_.size(), 0);
-    for (std::uint32_t f = 0; f < parent_.size(); ++f) {
+    std::vector<std::uint32_t> number(sets_.size(), none);
+    divided.assign(sets_.size(), 0);
+    for (std::uint32_t f = 0; f < sets_.size(); ++f) {
       if (!overlaps[f] && !is_met(f)) continue;
       divided[f] = 1;
-      std::uint32_t& n = number[root(f)];
+      std::uint32_t& n = number[sets_.first(f)];
       if (n == none) {
         n = static_cast<std::uint32_t>(groups.size());
         groups.emplace_back();
@@ -42,10 +40,6 @@ class Groups {
   std::vector<std::uint8_t> divided;  // per face
 
  private:
-  std::uint32_t root(std::uint32_t f) {
-    while (parent_[f] != f) f = parent_[f] = parent_[parent_[f]];
-    return f;
-  }
   // Is there more than its own corners and edges?
   bool is_met(std::uint32_t f) const {
     const auto points = traces_.points_of(f);
@@ -68,7 +62,7 @@ class Groups {
 
   const Facets& facets_;
   const Traces& traces_;
-  std::vector<std::uint32_t> parent_;
+  DisjointSets sets_;
 };
 
 class Steps {

@@ -11,10 +11,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 #include "import/polygons.h"
+#include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
 
 namespace sectile {
@@ -152,7 +152,7 @@ class FlatLines {
     unite(triangles.size());
     lines_.resize(triangles.size());
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-      auto& points = lines_[find(t)].points;
+      auto& points = lines_[sets_.first(t)].points;
       points.insert(points.end(), triangles[t].begin(), triangles[t].end());
     }
     for (Line& line : lines_) {
@@ -214,15 +214,10 @@ class FlatLines {
     for (const Edge& e : edges_) touched_[e.low.value()] = touched_[e.high.value()] = true;
   }
   void unite(std::size_t count) {
-    parent_.resize(count);
-    std::iota(parent_.begin(), parent_.end(), 0u);
+    sets_ = DisjointSets(count);
     for (std::size_t i = 1; i < edges_.size(); ++i)
       if (edges_[i].same_place(edges_[i - 1]))
-        parent_[find(edges_[i].triangle)] = find(edges_[i - 1].triangle);
-  }
-  std::uint32_t find(std::uint32_t t) {
-    while (parent_[t] != t) t = parent_[t] = parent_[parent_[t]];
-    return t;
+        sets_.unite(edges_[i].triangle, edges_[i - 1].triangle);
   }
   bool precedes(PointId p, PointId q) const {
     for (int axis = 0; axis < 3; ++axis)
@@ -245,7 +240,8 @@ class FlatLines {
     if (!touches(a) || !touches(b)) return nullptr;
     const Edge edge{std::min(a, b), std::max(a, b), 0};
     const auto at = std::lower_bound(edges_.begin(), edges_.end(), edge);
-    return at != edges_.end() && at->same_place(edge) ? &lines_[find(at->triangle)] : nullptr;
+    return at != edges_.end() && at->same_place(edge) ? &lines_[sets_.first(at->triangle)]
+                                                      : nullptr;
   }
   template <class Visit>
   static void for_each_edge(const Polygons& polygons, const Visit& visit) {
@@ -268,7 +264,7 @@ class FlatLines {
   const Kernel& kernel_;
   std::vector<Edge> edges_;
   std::vector<bool> touched_;  // per point: end of an edge
-  std::vector<std::uint32_t> parent_;
+  DisjointSets sets_{0};
   std::vector<Line> lines_;  // with the number of one of its triangles
 };
 

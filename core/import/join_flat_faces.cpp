@@ -13,10 +13,10 @@
 #include "import/join_flat_faces.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "geometry/face_predicates.h"
 #include "geometry/triangulation.h"
+#include "numbers/disjoint_sets.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -28,9 +28,7 @@ constexpr std::uint32_t none = 0xFFFFFFFFu;
 class FlatSets {
  public:
   FlatSets(const Brep& brep, std::span<const std::uint32_t> groups)
-      : brep_(brep), groups_(groups), parent_(brep.face_count()) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
+      : brep_(brep), groups_(groups), sets_(brep.face_count()) {}
 
   /// Returns whether any faces are joined.
   bool find_sets(const std::vector<std::uint8_t>& is_shared) {
@@ -43,39 +41,25 @@ class FlatSets {
       const FaceId f = brep_.face_of(Brep::half_edge(e)), g = brep_.face_of(Brep::half_edge(e, 1));
       if (stays[f.value()] || stays[g.value()] || group(f) != group(g)) continue;
       any = any || f != g;
-      unite(f.value(), g.value());
+      sets_.unite(f.value(), g.value());
     }
-    if (any) number_sets();
+    if (any) numbers_ = std::move(sets_).numbered();
     return any;
   }
 
-  std::size_t count() const { return count_; }
+  std::size_t count() const { return numbers_.count; }
   /// The set of a face: in the order of their first faces.
-  FaceId operator[](FaceId f) const { return FaceId(set_[f.value()]); }
+  FaceId operator[](FaceId f) const { return FaceId(numbers_.of[f.value()]); }
 
  private:
   std::uint32_t group(FaceId f) const {
     return groups_.empty() ? 0 : groups_[brep_.source[f].face];
   }
-  std::uint32_t find(std::uint32_t f) {
-    while (parent_[f] != f) f = parent_[f] = parent_[parent_[f]];
-    return f;
-  }
-  void unite(std::uint32_t f, std::uint32_t g) {
-    f = find(f);
-    g = find(g);
-    parent_[std::max(f, g)] = std::min(f, g);
-  }
-  void number_sets() {
-    set_.resize(parent_.size());
-    for (std::uint32_t f = 0; f < parent_.size(); ++f)
-      set_[f] = parent_[f] == f ? count_++ : set_[find(f)];
-  }
 
   const Brep& brep_;
   std::span<const std::uint32_t> groups_;
-  std::vector<std::uint32_t> parent_, set_;
-  std::uint32_t count_ = 0;
+  DisjointSets sets_;
+  DisjointSets::Numbered numbers_;
 };
 
 // Copies the points and planes of an import that are asked for.

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 
 #include "import/nesting.h"
+#include "numbers/disjoint_sets.h"
 #include "numbers/dyadic.h"
 #include "numbers/rounding.h"
 #include "search/box.h"
@@ -14,45 +14,14 @@
 
 namespace sectile {
 
-namespace {
-
-// Sets of faces that grow together; each is known by its first face.
-class FaceSets {
- public:
-  explicit FaceSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-
-  void unite(FaceId f, FaceId g) {
-    const std::uint32_t a = first(f.value()), b = first(g.value());
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-  /// Numbers the sets in the order of their first faces.
-  Shells numbered() {
-    Shells shells;
-    for (std::uint32_t f = 0; f < parent_.size(); ++f)
-      parent_[f] = parent_[f] == f ? shells.count++ : parent_[parent_[f]];
-    shells.of_face = std::move(parent_);
-    return shells;
-  }
-
- private:
-  std::uint32_t first(std::uint32_t f) {
-    while (parent_[f] != f) f = parent_[f] = parent_[parent_[f]];
-    return f;
-  }
-
-  std::vector<std::uint32_t> parent_;  // not after the face itself
-};
-
-}  // namespace
-
 // Edge by edge, as they lie in memory: to walk from face to face would wait for it at each step.
 Shells find_shells(const Brep& brep) {
-  FaceSets sets(brep.face_count());
+  DisjointSets sets(brep.face_count());
   for (const EdgeId e : brep.edges())
-    sets.unite(brep.face_of(Brep::half_edge(e)), brep.face_of(Brep::half_edge(e, 1)));
-  return sets.numbered();
+    sets.unite(brep.face_of(Brep::half_edge(e)).value(),
+               brep.face_of(Brep::half_edge(e, 1)).value());
+  auto [of_face, count] = std::move(sets).numbered();
+  return {std::move(of_face), count};
 }
 
 namespace {

@@ -1,35 +1,16 @@
 #include "rounding/block_triangles.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "geometry/face_predicates.h"
 #include "geometry/kernel.h"
 #include "geometry/triangulation.h"
+#include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
 #include "sectile/errors.h"
 
 namespace sectile {
 namespace {
-
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(std::uint32_t i, std::uint32_t j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 bool is_triangle(const Brep& brep, FaceId f) {
   const LoopId outer = brep.outer_loop[f];
@@ -172,7 +153,7 @@ class Collector {
 
   // Blocks have the ends of the edges between them in common.
   void unite_vertices() {
-    Sets sets(result_.number.size());
+    DisjointSets sets(result_.number.size());
     const auto at = [&](std::uint32_t s, VertexId v) {
       return result_.first_vertex[s] + v.value();
     };
@@ -184,7 +165,7 @@ class Collector {
         sets.unite(at(s, slots_[s].to(h)), at(other, slots_[other].from(back)));
       });
     for (std::uint32_t v = 0; v < result_.number.size(); ++v) {
-      const std::uint32_t first = sets.find(v);
+      const std::uint32_t first = sets.first(v);
       result_.owner_[v] = first == v;
       result_.number[v] = first == v ? result_.vertex_count++ : result_.number[first];
     }
@@ -197,7 +178,7 @@ class Collector {
       first.push_back(pieces);
       if (!slot.empty()) pieces += slot.block->pieces().count;
     }
-    Sets sets(pieces);
+    DisjointSets sets(pieces);
     for (std::uint32_t s = 0; s < slots_.size(); ++s) {
       if (slots_[s].empty() || !slots_[s].links) continue;
       for (const BorderLinks::Neighbour& n : slots_[s].links->neighbours())
@@ -205,7 +186,7 @@ class Collector {
                    first[s + static_cast<std::uint32_t>(n.slots)] + n.piece);
     }
     for (std::uint32_t p = 1; p < pieces; ++p)
-      if (sets.find(p) != 0) return false;
+      if (sets.first(p) != 0) return false;
     return pieces > 0;
   }
 
