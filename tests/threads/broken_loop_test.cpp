@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sectile/sectile.h"
+#include "threads/workers.h"
 
 namespace sectile {
 namespace {
@@ -44,6 +45,7 @@ class BrokenLoop : public ::testing::Test {
 };
 
 TEST_F(BrokenLoop, LeavesNoHalfSolids) {
+  SECTILE_NEEDS_WORKERS;
   const Solid whole = boolean(Solid::from_mesh(ball_), moved_, Operation::unite);
   std::size_t seen = 0;
   for (int k = 0; k < 6; ++k)
@@ -58,6 +60,7 @@ TEST_F(BrokenLoop, LeavesNoHalfSolids) {
 
 // What is found out about a solid when it is first asked for is kept, for all who share it.
 TEST_F(BrokenLoop, LeavesWhatIsSharedWhole) {
+  SECTILE_NEEDS_WORKERS;
   const PolygonMesh tool = moved_.to_mesh();
   const Solid whole = boolean(Solid::from_mesh(ball_), Solid::from_mesh(tool), Operation::unite);
   for (int k = 0; k < 8; ++k) {

@@ -2,7 +2,6 @@
 // make when it is first asked for. Run under ThreadSanitizer, this shows where they race; without
 // it, that nothing hangs and that all threads get the same.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -11,22 +10,12 @@
 #include <vector>
 
 #include "sectile/sectile.h"
+#include "threads/workers.h"
 
 namespace sectile {
 namespace {
 
 constexpr int thread_count = 4;
-
-// oneTBB is not compiled with ThreadSanitizer, which does not see how its threads hand tasks over
-// and takes all that tasks share for races. Under it, each thread does its tasks itself: what is
-// watched is what solids share among threads.
-#ifdef __SANITIZE_THREAD__
-const tbb::global_control no_workers(tbb::global_control::max_allowed_parallelism, 1);
-#define SECTILE_NEEDS_WORKERS \
-  GTEST_SKIP() << "ThreadSanitizer does not see what the threads of oneTBB hand over."
-#else
-#define SECTILE_NEEDS_WORKERS static_cast<void>(0)
-#endif
 
 Solid fine_sphere() {
   return sphere(1, 40, 20);
