@@ -4,6 +4,7 @@
 #include "search/id_map.h"
 #include "sectile/errors.h"
 #include "storage/geometry_loader.h"
+#include "topology/open_ends.h"
 
 namespace sectile {
 namespace {
@@ -31,7 +32,7 @@ class PartLoader {
   PartLoader(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry)
       : solid_(solid), to_(geometry), edges_(3 * faces.size()), loaders_(solid.slots().size()) {
     for (const FaceId f : faces) load_face(f);
-    close_open_ends();
+    close_ends();
     make_vertices();
   }
 
@@ -93,12 +94,12 @@ class PartLoader {
     planes.back() = geometry(from.slot).plane(plane);
   }
 
-  FaceId add_face(PlaneId plane, FaceSource source, FaceKind kind) {
+  FaceId add_face(PlaneId plane, FaceSource source) {
     Brep& to = patch_.brep;
     to.outer_loop.add(LoopId());
     to.plane.add(plane);
     to.source.add(source);
-    to.kind.add(kind);
+    to.kind.add(FaceKind::real);
     return FaceId(to.face_count() - 1);
   }
 
@@ -121,8 +122,8 @@ class PartLoader {
     const Slot& from = solid_.slot(slot);
     const Brep& brep = from.block->brep;
     const FaceId there = solid_.local(slot, f);
-    const FaceId mine = add_face(geometry(slot).plane(brep.plane[there], from.turned),
-                                 brep.source[there], FaceKind::real);
+    const FaceId mine =
+        add_face(geometry(slot).plane(brep.plane[there], from.turned), brep.source[there]);
     patch_.face_in_solid.push_back(f);
     LoopId last;
     for (LoopId l = brep.outer_loop[there]; l.valid(); l = brep.next_loop[l]) {
@@ -146,35 +147,21 @@ class PartLoader {
     }
   }
 
-  // A half-edge without a loaded face is followed by the one that ends the fan of loaded faces
-  // around its end.
-  void close_open_ends() {
+  void close_ends() {
     Brep& to = patch_.brep;
     if (!to.edge_plane.empty()) to.edge_plane.resize(to.edge_count());
     patch_.half_edge_in_solid.resize(to.half_edge_count());
     patch_.side_plane.resize(to.half_edge_count());
     std::vector<HalfEdgeId> open;
-    for (const HalfEdgeId h : to.half_edges())
-      if (!to.loop[h].valid()) open.push_back(h);
-    for (const HalfEdgeId h : open) {
+    for (const HalfEdgeId h : to.half_edges()) {
+      if (to.loop[h].valid()) continue;
+      open.push_back(h);
       const Source& from = source_[h.value()];
       patch_.half_edge_in_solid[h] = solid_.half_edge(from.slot, from.h);
       // The plane beyond the open end still bounds the loaded face's edge.
       patch_.side_plane[Brep::twin(h)] = face_plane(from);
-      HalfEdgeId after = Brep::twin(h);
-      do after = Brep::twin(to.prev_of(after));
-      while (to.loop[after].valid());
-      to.next[h] = after;
-      to.prev[after] = h;
     }
-    for (const HalfEdgeId h : open) {
-      if (to.loop[h].valid()) continue;
-      LoopId last;
-      const FaceId rest = add_face(PlaneId(), FaceSource{}, FaceKind::rest);
-      const LoopId loop = add_loop(rest, last);
-      to.loop_half_edge[loop] = h;
-      for (HalfEdgeId i = h; !to.loop[i].valid(); i = to.next_of(i)) to.loop[i] = loop;
-    }
+    close_open_ends(to, open);
   }
 
   void make_vertices() {

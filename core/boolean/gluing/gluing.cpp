@@ -4,6 +4,7 @@
 
 #include "sectile/errors.h"
 #include "storage/geometry_loader.h"
+#include "topology/open_ends.h"
 #include "topology/vertex_cycles.h"
 
 namespace sectile {
@@ -49,7 +50,7 @@ class Gluer {
     for_each_kept_face([&](const Source& from, FaceId f) { add_outside_edges(from, f); });
     for_each_kept_face([&](const Source& from, FaceId f) { add_face(from, f); });
     fix_edge_planes();
-    close_open_ends();
+    close_ends();
     check_faces();
     make_vertices(brep_, start_);
     return std::move(glued_);
@@ -293,29 +294,16 @@ class Gluer {
     brep_.loop_half_edge[loop] = first;
   }
 
-  // As in a patch: what is shared is stood for by faces of kind `rest`, which close the structure.
-  void close_open_ends() {
-    const IdRange<EdgeId> open(EdgeId(0), EdgeId(glued_.outside.size()));
-    if (open.empty()) return;
+  // As in a patch: what is shared is stood for by faces of kind `rest`.
+  void close_ends() {
+    if (glued_.outside.empty()) return;
     brep_.kind.assign(brep_.face_count(), FaceKind::real);
-    for (const EdgeId e : open) {
-      const HalfEdgeId h = Brep::half_edge(e, 1);
-      HalfEdgeId after = Brep::twin(h);
-      do after = Brep::twin(brep_.prev_of(after));
-      while (brep_.loop[after].valid());
-      brep_.next[h] = after;
-      brep_.prev[after] = h;
-      start_[after.value()] = start_[brep_.next_of(Brep::twin(after)).value()];
+    std::vector<HalfEdgeId> open;
+    for (const EdgeId e : IdRange<EdgeId>(EdgeId(0), EdgeId(glued_.outside.size()))) {
+      open.push_back(Brep::half_edge(e, 1));
+      start_[open.back().value()] = start_[brep_.next_of(Brep::half_edge(e)).value()];
     }
-    for (const EdgeId e : open) {
-      const HalfEdgeId first = Brep::half_edge(e, 1);
-      if (brep_.loop[first].valid()) continue;
-      LoopId last;
-      const LoopId loop = add_loop(add_face(PlaneId(), FaceSource{}), last);
-      brep_.kind.add(FaceKind::rest);
-      brep_.loop_half_edge[loop] = first;
-      for (HalfEdgeId h = first; !brep_.loop[h].valid(); h = brep_.next_of(h)) brep_.loop[h] = loop;
-    }
+    close_open_ends(brep_, open);
   }
 
   void check_faces() const {
