@@ -27,8 +27,11 @@ inline bool clearly_off_plane(const Vec3& a, const Vec3& b, const Vec3& c, const
   return reach < 0x1p200 && size > 0x1p-700 && std::abs(value) > 16 * 0x1p-53 * size;
 }
 
-/// The same for a point and a plane of a geometry. False if that takes more than looking at given
-/// points.
+/// Are four points in one plane? Decided exactly.
+bool in_one_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// Is a point certainly not in a plane of a geometry? False if that takes more than looking at
+/// given points.
 inline bool clearly_off_plane(const Geometry& geometry, PointId point, PlaneId plane) {
   const PlaneDefinition& how = geometry.definition(plane);
   if (how.kind() != PlaneDefinition::Kind::three_points) return false;
@@ -37,6 +40,19 @@ inline bool clearly_off_plane(const Geometry& geometry, PointId point, PlaneId p
     if (!geometry.is_explicit(p)) return false;
   return clearly_off_plane(geometry.position(a), geometry.position(b), geometry.position(c),
                            geometry.position(point));
+}
+
+/// Are three points certainly not in one line?
+inline bool clearly_bent(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double u[3] = {b.x - a.x, b.y - a.y, b.z - a.z}, v[3] = {c.x - a.x, c.y - a.y, c.z - a.z};
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const double left = u[i] * v[j], right = u[j] * v[i], size = std::abs(left) + std::abs(right);
+    // Three roundings of half an ulp in each product, and one of the difference.
+    if (size > 0x1p-700 && size < 0x1p700 && std::abs(left - right) > 8 * 0x1p-53 * size)
+      return true;
+  }
+  return false;
 }
 
 }  // namespace sectile

@@ -1,6 +1,8 @@
 // Faces that cross or overlap.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/kernel.h"
@@ -27,5 +29,8 @@ const char* in_words(SelfContact::Kind kind);
 
 /// Throws InvalidSolid if there are any.
 void refuse_contacts(const Brep& brep, const Kernel& kernel, const ImportOptions& options);
+/// The same of triangles that are faces: `source` has the input's number of each.
+void refuse_contacts(const TriangleSurface& surface, std::span<const std::uint32_t> source,
+                     const Kernel& kernel, const ImportOptions& options);
 
 }  // namespace sectile

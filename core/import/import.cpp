@@ -10,6 +10,8 @@
 #include "import/join_flat_faces.h"
 #include "import/polygons.h"
 #include "import/shells.h"
+#include "import/steps.h"
+#include "import/triangles/read_triangles.h"
 #include "parallel/parallel.h"
 #include "sectile/errors.h"
 
@@ -28,6 +30,7 @@ namespace {
 // of the edge, though.
 bool lies_flat(const Brep& brep, const Kernel& kernel, HalfEdgeId h) {
   const HalfEdgeId back = Brep::twin(h);
+  if (brep.kind_of(brep.face_of(back)) == FaceKind::rest) return false;
   const PointId beyond = brep.point_of(brep.to(brep.next_of(back)));
   return !clearly_off_plane(kernel.geometry(), beyond, brep.plane_of(h)) &&
          kernel.side(beyond, brep.plane_of(h)) == Sign::zero &&
@@ -93,32 +96,8 @@ void check_groups(const SoupView& soup, const ImportOptions& options) {
                          " faces, but the mesh has " + std::to_string(soup.face_count()));
 }
 
-// Tells how far the import is, and ends it where that was asked for. The test against itself takes
-// most of the time.
-class Steps {
- public:
-  explicit Steps(const ImportOptions& options) : options_(options) {}
-
-  void done(double part) const {
-    if (options_.cancel && options_.cancel->load(std::memory_order_relaxed)) throw Cancelled();
-    if (options_.progress) options_.progress(part);
-  }
-  /// For the test against itself.
-  ImportOptions from_to(double begin, double end) const {
-    ImportOptions inner = options_;
-    if (options_.progress)
-      inner.progress = [begin, end, &outer = options_.progress](double part) {
-        outer(begin + part * (end - begin));
-      };
-    return inner;
-  }
-
- private:
-  const ImportOptions& options_;
-};
-
 // The faces as they are given. Returns whether there are any.
-bool read_faces(const SoupView& soup, const Steps& steps, Kernel& kernel, SolidData& data) {
+bool read_faces(const SoupView& soup, const ImportSteps& steps, Kernel& kernel, SolidData& data) {
   std::vector<std::uint32_t> input_vertex;
   Polygons polygons = read_polygons(soup, data.geometry(), input_vertex);
   steps.done(0.05);
@@ -137,7 +116,7 @@ bool read_faces(const SoupView& soup, const Steps& steps, Kernel& kernel, SolidD
 // A boundary in one block. What was needed on the way, more than the boundary takes, is gone when
 // this returns.
 std::shared_ptr<SolidData> read_boundary(const SoupView& soup, const ImportOptions& options,
-                                         const Steps& steps) {
+                                         const ImportSteps& steps) {
   auto data = std::make_shared<SolidData>();
   Kernel kernel(data->geometry());
   if (!read_faces(soup, steps, kernel, *data)) return std::make_shared<SolidData>();
@@ -146,15 +125,16 @@ std::shared_ptr<SolidData> read_boundary(const SoupView& soup, const ImportOptio
   if (!options.trusted) refuse_contacts(data->brep(), kernel, steps.from_to(0.2, 0.9));
   check_orientation(*data, kernel);
   steps.done(0.95);
-  return with_flat_faces_joined(std::move(data), kernel, options);
+  data = with_flat_faces_joined(std::move(data), kernel, options);
+  data->cut();
+  return data;
 }
 
 std::shared_ptr<const SolidData> import_view(const SoupView& soup, const ImportOptions& options) {
   check_groups(soup, options);
-  const Steps steps(options);
-  std::shared_ptr<SolidData> data = read_boundary(soup, options, steps);
-  if (data->empty()) return data;
-  data->cut();
+  const ImportSteps steps(options);
+  std::shared_ptr<const SolidData> data = read_triangles(soup, options, steps);
+  if (!data) data = read_boundary(soup, options, steps);
   steps.done(1);
   return data;
 }

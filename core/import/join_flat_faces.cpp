@@ -117,12 +117,25 @@ class Joiner {
  private:
   // Several vertices at one point.
   void find_shared_vertices() {
+    find_vertices_at_rest();
     std::vector<std::uint8_t> seen(geometry_.positions.size(), 0);
-    for (const PointId p : old_.point)
-      seen[p.value()] = static_cast<std::uint8_t>(std::min(seen[p.value()] + 1, 2));
+    for (const VertexId v : old_.vertices())
+      if (!is_at_rest_[v.value()]) {
+        std::uint8_t& times = seen[old_.point_of(v).value()];
+        times = static_cast<std::uint8_t>(std::min(times + 1, 2));
+      }
     is_shared_.resize(old_.vertex_count());
     for (const VertexId v : old_.vertices())
       is_shared_[v.value()] = seen[old_.point_of(v).value()] > 1;
+  }
+
+  // Around which there are faces that are not in this part of the boundary.
+  void find_vertices_at_rest() {
+    is_at_rest_.assign(old_.vertex_count(), 0);
+    if (old_.kind.empty()) return;
+    for (const HalfEdgeId h : old_.half_edges())
+      if (old_.kind_of(old_.face_of(h)) == FaceKind::rest)
+        is_at_rest_[old_.from(h).value()] = is_at_rest_[old_.to(h).value()] = 1;
   }
 
   FaceId set_of(HalfEdgeId h) const { return sets_[old_.face_of(h)]; }
@@ -143,7 +156,7 @@ class Joiner {
   void find_straight_vertices() {
     is_straight_.resize(old_.vertex_count());
     for (const VertexId v : old_.vertices()) {
-      if (is_shared_[v.value()]) continue;
+      if (is_shared_[v.value()] || is_at_rest_[v.value()]) continue;
       std::size_t left = 0, gone = 0;
       bool flat = false;
       for_each_around(old_, old_.vertex_half_edge[v], [&](HalfEdgeId h) {
@@ -212,8 +225,11 @@ class Joiner {
     new_.source.resize(sets_.count());
     Table<FaceId, PlaneId> plane(sets_.count());
     parts_.assign(sets_.count(), 0);
+    if (!old_.kind.empty()) new_.kind.resize(sets_.count());
     for (const FaceId f : old_.faces()) {
       const FaceId set = sets_[f];
+      if (!old_.kind.empty()) new_.kind[set] = old_.kind[f];
+      if (old_.kind_of(f) == FaceKind::rest) continue;
       const FaceSource source = old_.source[f];
       new_.source[set] = parts_[set.value()]++ == 0 ? source : std::min(new_.source[set], source);
       const double here = size_of(old_.plane[f]);
@@ -222,7 +238,7 @@ class Joiner {
         plane[set] = old_.plane[f];
       }
     }
-    for (const PlaneId s : plane) new_.plane.add(picker_.plane(s));
+    for (const PlaneId s : plane) new_.plane.add(s.valid() ? picker_.plane(s) : s);
   }
   double size_of(PlaneId s) const {
     const PlaneDefinition& how = geometry_.definition(s);
@@ -308,10 +324,10 @@ class Joiner {
     std::sort(names.begin(), names.end());
     auto read = std::make_shared<FacesAsRead>();
     GeometryPicker picker(geometry_, read->geometry);
-    for (std::size_t f = 0; f < old_.face_count(); ++f) {
-      const FaceSource name = new_.source[sets_[FaceId(f)]];
-      if (std::binary_search(names.begin(), names.end(), name))
-        add_triangles(FaceId(f), name.face, picker, read->triangles);
+    for (const FaceId f : old_.faces()) {
+      const FaceSource name = new_.source[sets_[f]];
+      if (old_.kind_of(f) == FaceKind::real && std::binary_search(names.begin(), names.end(), name))
+        add_triangles(f, name.face, picker, read->triangles);
     }
     std::stable_sort(read->triangles.begin(), read->triangles.end(),
                      [](const auto& s, const auto& t) {
@@ -348,8 +364,8 @@ class Joiner {
   JoinedFaces made_;
   GeometryPicker picker_;
   Brep& new_;
-  std::vector<std::uint8_t> is_shared_, is_straight_;  // per old vertex
-  std::vector<HalfEdgeId> number_;                     // per old half-edge: the new one
+  std::vector<std::uint8_t> is_shared_, is_at_rest_, is_straight_;  // per old vertex
+  std::vector<HalfEdgeId> number_;         // per old half-edge: the new one
   std::vector<HalfEdgeId> first_;          // per new half-edge: the first old one of its path
   std::vector<std::uint32_t> parts_;       // per new face: the old ones in it
   std::vector<std::uint8_t> has_changed_;  // per new face: corners in its edges are gone

@@ -65,7 +65,10 @@ struct Polygons {
   }
 };
 
-/// Checks sizes, indices and coordinates, unites equal positions, drops repeated corners and paths
+/// Throws InvalidSolid if sizes or indices do not fit, or coordinates are not finite.
+void check_soup(const SoupView& soup);
+
+/// Checks the soup, unites equal positions, drops repeated corners and paths
 /// there and back again. `input_vertex` becomes each point's first position in the input.
 Polygons read_polygons(const SoupView& soup, Geometry& geometry,
                        std::vector<std::uint32_t>& input_vertex);

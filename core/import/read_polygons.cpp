@@ -1,10 +1,10 @@
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <string>
 
 #include "import/polygons.h"
+#include "import/unite_positions.h"
 #include "parallel/parallel.h"
 #include "sectile/errors.h"
 
@@ -12,37 +12,6 @@ namespace sectile {
 namespace {
 
 using Reason = InvalidSolid::Reason;
-
-// Open addressing over positions; -0 and 0 are one coordinate.
-class PositionTable {
- public:
-  PositionTable(Geometry& geometry, std::size_t expected) : geometry_(geometry) {
-    std::size_t size = 16;
-    while (size < 2 * expected) size *= 2;
-    slots_.assign(size, PointId());
-  }
-
-  PointId add(Vec3 p) {
-    p = {p.x + 0.0, p.y + 0.0, p.z + 0.0};
-    for (std::size_t i = hash(p) & (slots_.size() - 1);; i = (i + 1) & (slots_.size() - 1)) {
-      if (!slots_[i].valid()) return slots_[i] = geometry_.add_point(p);
-      if (geometry_.position(slots_[i]) == p) return slots_[i];
-    }
-  }
-
- private:
-  static std::size_t hash(const Vec3& p) {
-    std::uint64_t h = 0;
-    for (const double v : {p.x, p.y, p.z}) {
-      h = (h ^ std::bit_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15u;
-      h ^= h >> 32;
-    }
-    return h;
-  }
-
-  Geometry& geometry_;
-  std::vector<PointId> slots_;
-};
 
 std::string text(std::size_t number) {
   return std::to_string(number);
@@ -153,26 +122,18 @@ class LoopReader {
   std::size_t begin_;
 };
 
-std::vector<PointId> unite_positions(const SoupView& soup, Geometry& geometry,
-                                     std::vector<std::uint32_t>& input_vertex) {
-  const std::size_t count = soup.positions.size();
-  std::vector<PointId> points(count);
-  PositionTable table(geometry, count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    points[i] = table.add(soup.positions[i]);
-    if (points[i].value() == input_vertex.size()) input_vertex.push_back(i);
-  }
-  return points;
-}
-
 }  // namespace
 
-Polygons read_polygons(const SoupView& soup, Geometry& geometry,
-                       std::vector<std::uint32_t>& input_vertex) {
+void check_soup(const SoupView& soup) {
   check_sizes(soup);
   check_positions(soup);
   check_indices(soup);
-  const std::vector<PointId> points = unite_positions(soup, geometry, input_vertex);
+}
+
+Polygons read_polygons(const SoupView& soup, Geometry& geometry,
+                       std::vector<std::uint32_t>& input_vertex) {
+  check_soup(soup);
+  const std::vector<PointId> points = unite_positions(soup.positions, geometry, input_vertex);
   Polygons polygons;
   polygons.corners.reserve(soup.indices.size());
   polygons.loop_end.reserve(soup.loop_sizes.size());

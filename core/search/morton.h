@@ -16,7 +16,7 @@ inline std::uint32_t spread_bits(std::uint32_t x) {
   return (x | (x << 2)) & 0x09249249u;
 }
 
-/// The place of a box's centre in a grid of 1024³ cells.
+/// The place of a point, or of a box's centre, in a grid of 1024³ cells.
 class Morton {
  public:
   static constexpr unsigned bits = 30;
@@ -29,10 +29,14 @@ class Morton {
     }
   }
   std::uint32_t operator()(const Box& box) const {
+    const auto middle = [&](int k) { return 0.5 * (double(box.low[k]) + box.high[k]); };
+    return (*this)(Vec3{middle(0), middle(1), middle(2)});
+  }
+  std::uint32_t operator()(const Vec3& place) const {
+    const double at[3] = {place.x, place.y, place.z};
     std::uint32_t key = 0;
     for (int k = 0; k < 3; ++k) {
-      const double centre = 0.5 * (double(box.low[k]) + box.high[k]);
-      const double cell = (centre - low_[k]) * scale_[k];
+      const double cell = (at[k] - low_[k]) * scale_[k];
       key |= spread_bits(cell >= 1023 ? 1023u
                          : cell > 0   ? static_cast<std::uint32_t>(cell)
                                       : 0u)

@@ -3,9 +3,8 @@
 #include <numeric>
 
 #include "parallel/parallel.h"
+#include "search/curve_order.h"
 #include "search/face_tree.h"
-#include "search/morton.h"
-#include "search/radix_sort.h"
 #include "storage/geometry_loader.h"
 
 namespace sectile {
@@ -68,35 +67,27 @@ class Groups {
   }
 
   std::vector<std::uint32_t> faces_in_order() const {
-    const std::vector<std::uint64_t> keys = sorted_keys();
-    std::vector<std::uint32_t> at = sizes_of_shells(), faces(keys.size());
-    std::exclusive_scan(at.begin(), at.end(), at.begin(), 0u);
-    for (const std::uint64_t key : keys) {
-      const auto f = static_cast<std::uint32_t>(key);
-      faces[at[shell(f)]++] = f;
-    }
-    return faces;
-  }
-
-  std::vector<std::uint64_t> sorted_keys() const {
     const Brep& brep = part_.brep;
     std::vector<Box> boxes(brep.face_count());
     parallel::loop(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
       for (std::size_t f = range.begin(); f < range.end(); ++f)
-        if (brep.kind_of(FaceId(f)) == FaceKind::real)
-          boxes[f] = face_box(brep, part_.geometry, FaceId(f));
+        if (is_real(f)) boxes[f] = face_box(brep, part_.geometry, FaceId(f));
     });
-    std::vector<std::uint64_t> keys;
-    keys.reserve(boxes.size());
     Box all;
     for (const Box& b : boxes) all.add(b);
-    const Morton morton(all);
-    for (std::size_t f = 0; f < boxes.size(); ++f)
-      if (brep.kind_of(FaceId(f)) == FaceKind::real)
-        keys.push_back(std::uint64_t(morton(boxes[f])) << 32 | f);
-    sort_by_upper_half(keys, Morton::bits);
-    return keys;
+    std::vector<std::uint32_t> at = sizes_of_shells(), faces(brep.face_count());
+    std::exclusive_scan(at.begin(), at.end(), at.begin(), 0u);
+    std::size_t count = 0;
+    for (const std::uint32_t f :
+         order_along_curve(boxes.size(), all, [&](std::size_t i) { return boxes[i]; })) {
+      if (!is_real(f)) continue;
+      faces[at[shell(f)]++] = f;
+      ++count;
+    }
+    faces.resize(count);
+    return faces;
   }
+  bool is_real(std::size_t f) const { return part_.brep.kind_of(FaceId(f)) == FaceKind::real; }
 
   const PartToCut& part_;
   std::vector<FaceId> faces_;

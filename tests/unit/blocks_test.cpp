@@ -33,6 +33,14 @@ std::size_t shared(const Solid& a, const Solid& b) {
       mine.begin(), mine.end(), [&](const Block* block) { return others.contains(block); }));
 }
 
+// Those of few faces are made anew, lest they become many.
+std::size_t large_blocks(const Solid& solid) {
+  const std::set<const Block*> all = blocks(solid);
+  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const Block* block) {
+    return block->brep.face_count() >= few_faces;
+  }));
+}
+
 // Less than half of the slots are empty, and one block may have few faces.
 std::size_t most_blocks(const Solid& solid) {
   return 2 * (solid.counts().faces / few_faces + 1);
@@ -93,8 +101,9 @@ TEST(Blocks, AResultSharesWhatAToolDoesNotTouch) {
 TEST(Blocks, WhatIsTakenAwayIsSharedTurnedInsideOut) {
   const Solid body = ball({0, 0, 0}, 2, 100, 101), cavity = many_faces();
   const Solid hollow = boolean(body, cavity, Operation::subtract);
-  EXPECT_EQ(shared(hollow, cavity), blocks(cavity).size());
-  EXPECT_EQ(shared(hollow, body), blocks(body).size());
+  EXPECT_GE(shared(hollow, cavity), large_blocks(cavity));
+  EXPECT_GE(shared(hollow, body), large_blocks(body));
+  EXPECT_GT(large_blocks(cavity), 150u);
   EXPECT_EQ(hollow.counts().shells, 2u);
   EXPECT_NEAR(hollow.volume(), body.volume() - cavity.volume(), 1e-12);
   expect_legal(hollow);

@@ -1,0 +1,27 @@
+#include "geometry/four_points.h"
+
+#include "geometry/formulas.h"
+#include "numbers/bounded.h"
+#include "numbers/dyadic.h"
+
+namespace sectile {
+namespace {
+
+template <class Number>
+Number volume_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  Number edges[3][3];
+  const Vec3* const others[] = {&a, &b, &c};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      edges[i][k] = Number::difference(component(*others[i], k), component(d, k));
+  return determinant(edges[0], edges[1], edges[2]);
+}
+
+}  // namespace
+
+bool in_one_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  if (clearly_off_plane(a, b, c, d) || volume_of<Bounded>(a, b, c, d).decided()) return false;
+  return volume_of<Dyadic>(a, b, c, d).sign() == Sign::zero;
+}
+
+}  // namespace sectile

@@ -1,0 +1,141 @@
+#include "import/triangles/flat_part.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "geometry/four_points.h"
+#include "parallel/parallel.h"
+#include "search/id_map.h"
+#include "topology/open_ends.h"
+#include "topology/vertex_cycles.h"
+
+namespace sectile {
+namespace {
+
+// Is the triangle beyond an edge in the same plane?
+bool is_flat(const TriangleMesh& mesh, std::uint32_t corner) {
+  const std::uint32_t next = TriangleMesh::next(corner), prev = TriangleMesh::prev(corner);
+  return in_one_plane(mesh.position(corner), mesh.position(next), mesh.position(prev),
+                      mesh.position(TriangleMesh::prev(mesh.mate[corner])));
+}
+
+class PartBuilder {
+ public:
+  PartBuilder(const TriangleMesh& mesh, std::uint32_t origin, FlatPart& part)
+      : mesh_(mesh),
+        origin_(origin),
+        part_(part),
+        brep_(part.brep),
+        half_edge_(3 * part.triangles.size()),
+        points_(2 * part.triangles.size()) {}
+
+  void run() {
+    number_half_edges();
+    for (std::size_t i = 0; i < part_.triangles.size(); ++i) add_face(i);
+    std::vector<HalfEdgeId> open;
+    for (std::size_t e = 0; e < part_.open.size(); ++e) {
+      open.push_back(Brep::half_edge(EdgeId(e), 1));
+      start_[open.back().value()] = point(mesh_.to(part_.open[e]));
+    }
+    close_open_ends(brep_, open);
+    make_vertices(brep_, start_);
+  }
+
+ private:
+  // Those that leave the part first.
+  void number_half_edges() {
+    std::uint32_t next = 0;
+    for_each_corner([&](std::uint32_t corner, HalfEdgeId& h) {
+      if (part_.holds[mesh_.mate[corner] / 3]) return;
+      part_.open.push_back(corner);
+      h = HalfEdgeId(next);
+      next += 2;
+    });
+    for_each_corner([&](std::uint32_t corner, HalfEdgeId& h) {
+      if (h.valid()) return;
+      h = HalfEdgeId(next);
+      half_edge_[local(mesh_.mate[corner])] = HalfEdgeId(next + 1);
+      next += 2;
+    });
+    brep_.origin.resize(next);
+    brep_.next.resize(next);
+    brep_.prev.resize(next);
+    brep_.loop.resize(next);
+    start_.resize(next);
+  }
+
+  template <class Visit>
+  void for_each_corner(const Visit& visit) {
+    for (std::size_t i = 0; i < part_.triangles.size(); ++i)
+      for (std::uint32_t k = 0; k < 3; ++k)
+        visit(3 * part_.triangles[i] + k, half_edge_[3 * i + k]);
+  }
+
+  std::size_t local(std::uint32_t corner) const {
+    const auto& all = part_.triangles;
+    const auto at = std::lower_bound(all.begin(), all.end(), corner / 3);
+    return 3 * static_cast<std::size_t>(at - all.begin()) + corner % 3;
+  }
+
+  PointId point(PointId p) {
+    std::uint32_t& known = points_[p.value()];
+    if (known == IdMap::none) known = part_.geometry.add_point(mesh_.geometry.position(p)).value();
+    return PointId(known);
+  }
+
+  void add_face(std::size_t i) {
+    const LoopId loop(i);
+    brep_.outer_loop.add(loop);
+    brep_.source.add({origin_, mesh_.source[part_.triangles[i]]});
+    brep_.kind.add(FaceKind::real);
+    brep_.loop_face.add(FaceId(i));
+    brep_.loop_half_edge.add(half_edge_[3 * i]);
+    brep_.next_loop.add(LoopId());
+    PointId corners[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const HalfEdgeId h = half_edge_[3 * i + k], after = half_edge_[3 * i + (k + 1) % 3];
+      corners[k] = point(mesh_.from(3 * part_.triangles[i] + static_cast<std::uint32_t>(k)));
+      start_[h.value()] = corners[k];
+      brep_.next[h] = after;
+      brep_.prev[after] = h;
+      brep_.loop[h] = loop;
+    }
+    brep_.plane.add(
+        part_.geometry.add_plane(PlaneDefinition::through(corners[0], corners[1], corners[2])));
+  }
+
+  const TriangleMesh& mesh_;
+  std::uint32_t origin_;
+  FlatPart& part_;
+  Brep& brep_;
+  std::vector<HalfEdgeId> half_edge_;  // per corner of the part
+  std::vector<PointId> start_;         // per half-edge
+  IdMap points_;
+};
+
+}  // namespace
+
+FlatPart find_flat_part(const TriangleMesh& mesh) {
+  FlatPart part;
+  part.holds.assign(mesh.triangle_count(), 0);
+  const auto note = [&](std::uint32_t corner) {
+    std::atomic_ref(part.holds[corner / 3]).store(1, std::memory_order_relaxed);
+  };
+  const auto count = static_cast<std::uint32_t>(mesh.corners.size());
+  parallel::loop(tbb::blocked_range<std::uint32_t>(0, count, 4096), [&](const auto& range) {
+    for (std::uint32_t corner = range.begin(); corner < range.end(); ++corner) {
+      if (mesh.mate[corner] < corner || !is_flat(mesh, corner)) continue;
+      note(corner);
+      note(mesh.mate[corner]);
+    }
+  });
+  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t)
+    if (part.holds[t]) part.triangles.push_back(t);
+  return part;
+}
+
+void build_flat_part(const TriangleMesh& mesh, std::uint32_t origin, FlatPart& part) {
+  PartBuilder(mesh, origin, part).run();
+}
+
+}  // namespace sectile

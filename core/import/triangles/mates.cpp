@@ -1,0 +1,237 @@
+#include "import/triangles/mates.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+
+#include "numbers/disjoint_sets.h"
+#include "parallel/parallel.h"
+
+namespace sectile {
+namespace {
+
+constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+// A half-edge whose other half is not in its chunk.
+struct Open {
+  std::uint64_t line;  // its lower and its higher point
+  std::uint32_t corner;
+  friend bool operator<(const Open& a, const Open& b) {
+    return a.line != b.line ? a.line < b.line : a.corner < b.corner;
+  }
+};
+
+std::uint64_t line_of(const TriangleMesh& mesh, std::uint32_t corner) {
+  const auto [low, high] = std::minmax({mesh.from(corner).value(), mesh.to(corner).value()});
+  return std::uint64_t(low) << 32 | high;
+}
+
+// The half-edges of one chunk by their lines. Small enough to stay in the fastest memory.
+class LineTable {
+ public:
+  void clear() {
+    if (++round_ == 0) {
+      slots_.fill({});
+      round_ = 1;
+    }
+  }
+  /// The half-edge that was met on this line before; none: this one is kept for the next.
+  std::uint32_t& corner_on(std::uint64_t line, bool& is_new) {
+    std::size_t i = line * 0x9E3779B97F4A7C15u >> (64 - bits);
+    while (slots_[i].round == round_ && slots_[i].line != line) i = (i + 1) % slots_.size();
+    is_new = slots_[i].round != round_;
+    if (is_new) slots_[i] = {line, none, round_};
+    return slots_[i].corner;
+  }
+
+ private:
+  static constexpr int bits = 10;
+  static_assert(2 * 3 * TriangleMesh::of_a_chunk < 1u << bits);
+  struct Slot {
+    std::uint64_t line = 0;
+    std::uint32_t corner = none, round = 0;
+  };
+  std::array<Slot, std::size_t(1) << bits> slots_{};
+  std::uint32_t round_ = 0;
+};
+
+class MateFinder {
+ public:
+  explicit MateFinder(TriangleMesh& mesh)
+      : mesh_(mesh), open_(mesh.chunk_count()), pieces_(mesh.chunk_count()) {
+    mesh_.mate.assign(mesh_.corners.size(), none);
+  }
+
+  bool run() {
+    match_within_chunks();
+    return is_plain_ && match_between_chunks();
+  }
+
+  /// Once all mates are found.
+  bool is_one_shell() const {
+    DisjointSets sets(mesh_.triangle_count());
+    for (std::size_t i = 0; i < all_open_.size(); i += 2)
+      sets.unite(piece(all_open_[i].corner), piece(all_open_[i + 1].corner));
+    for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t)
+      if (piece(3 * t) == t && sets.first(t) != 0) return false;
+    return true;
+  }
+
+ private:
+  // The triangles of a chunk that hang together over its edges: of place i in the chunk, the least
+  // one with which it does.
+  using Pieces = std::array<std::uint8_t, TriangleMesh::of_a_chunk>;
+  static_assert(TriangleMesh::of_a_chunk <= 256);
+
+  void match_within_chunks() {
+    tbb::enumerable_thread_specific<LineTable> tables;
+    parallel::loop(tbb::blocked_range<std::uint32_t>(0, mesh_.chunk_count(), 8),
+                   [&](const auto& range) {
+                     for (std::uint32_t c = range.begin(); c < range.end(); ++c)
+                       if (!match_within(c, tables.local())) is_plain_ = false;
+                   });
+  }
+
+  bool match_within(std::uint32_t chunk, LineTable& table) {
+    table.clear();
+    Pieces& pieces = pieces_[chunk];
+    for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i] = static_cast<std::uint8_t>(i);
+    const std::uint32_t begin = 3 * mesh_.chunk_begin(chunk), end = 3 * mesh_.chunk_end(chunk);
+    for (std::uint32_t corner = begin; corner < end; ++corner) {
+      bool is_new;
+      std::uint32_t& known = table.corner_on(line_of(mesh_, corner), is_new);
+      if (is_new) {
+        known = corner;
+        continue;
+      }
+      if (known == none || mesh_.from(known) == mesh_.from(corner)) return false;
+      pair(known, corner);
+      unite(pieces, place_in_chunk(known), place_in_chunk(corner));
+      known = none;
+    }
+    for (std::uint32_t corner = begin; corner < end; ++corner)
+      if (mesh_.mate[corner] == none) open_[chunk].push_back({line_of(mesh_, corner), corner});
+    return true;
+  }
+
+  static std::uint8_t place_in_chunk(std::uint32_t corner) {
+    return static_cast<std::uint8_t>(corner / 3 % TriangleMesh::of_a_chunk);
+  }
+  static std::uint8_t first(const Pieces& pieces, std::uint8_t i) {
+    while (pieces[i] != i) i = pieces[i];
+    return i;
+  }
+  static void unite(Pieces& pieces, std::uint8_t i, std::uint8_t j) {
+    const auto [low, high] = std::minmax({first(pieces, i), first(pieces, j)});
+    pieces[high] = low;
+  }
+
+  void pair(std::uint32_t a, std::uint32_t b) {
+    mesh_.mate[a] = b;
+    mesh_.mate[b] = a;
+  }
+
+  bool match_between_chunks() {
+    std::size_t count = 0;
+    for (const auto& some : open_) count += some.size();
+    all_open_.reserve(count);
+    for (const auto& some : open_) all_open_.insert(all_open_.end(), some.begin(), some.end());
+    open_ = {};
+    if (count % 2 != 0) return false;
+    parallel::sort(all_open_.begin(), all_open_.end());
+    parallel::loop(tbb::blocked_range<std::size_t>(0, count / 2, 4096), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        const Open &a = all_open_[2 * i], &b = all_open_[2 * i + 1];
+        if (a.line != b.line || mesh_.from(a.corner) == mesh_.from(b.corner))
+          is_plain_ = false;
+        else
+          pair(a.corner, b.corner);
+      }
+    });
+    return is_plain_;
+  }
+
+  // A piece goes by its least triangle.
+  std::uint32_t piece(std::uint32_t corner) const {
+    const std::uint32_t chunk = TriangleMesh::chunk_of(corner);
+    return mesh_.chunk_begin(chunk) + first(pieces_[chunk], place_in_chunk(corner));
+  }
+
+  TriangleMesh& mesh_;
+  std::vector<std::vector<Open>> open_;  // per chunk
+  std::vector<Open> all_open_;
+  std::vector<Pieces> pieces_;  // per chunk
+  std::atomic<bool> is_plain_ = true;
+};
+
+// One cycle of triangles around each point, in which no other point is met twice: then no edge has
+// more than two triangles, wherever these are.
+class Umbrellas {
+ public:
+  explicit Umbrellas(const TriangleMesh& mesh)
+      : mesh_(mesh), some_corner_(mesh.geometry.positions.size(), none) {}
+
+  bool all_plain() {
+    const auto corner_count = static_cast<std::uint32_t>(mesh_.corners.size());
+    parallel::loop(tbb::blocked_range<std::uint32_t>(0, corner_count, 16384),
+                   [&](const auto& range) {
+                     for (std::uint32_t i = range.begin(); i < range.end(); ++i) note(i);
+                   });
+    const std::size_t met = parallel::reduce(
+        tbb::blocked_range<std::size_t>(0, some_corner_.size(), 4096), std::size_t(0),
+        [&](const auto& range, std::size_t sum) {
+          std::vector<PointId> around;
+          for (std::size_t p = range.begin(); p < range.end(); ++p)
+            if (some_corner_[p] != none) sum += size_of_cycle(some_corner_[p], around);
+          return sum;
+        },
+        std::plus<>());
+    return met == corner_count;
+  }
+
+ private:
+  // Which one is all the same.
+  void note(std::uint32_t corner) {
+    std::atomic_ref(some_corner_[mesh_.from(corner).value()])
+        .store(corner, std::memory_order_relaxed);
+  }
+
+  // Nothing where a point is met twice.
+  std::size_t size_of_cycle(std::uint32_t first, std::vector<PointId>& around) const {
+    around.clear();
+    std::uint32_t corner = first;
+    do {
+      around.push_back(mesh_.to(corner));
+      corner = mesh_.mate[TriangleMesh::prev(corner)];
+    } while (corner != first);
+    return any_twice(around) ? 0 : around.size();
+  }
+  static bool any_twice(std::vector<PointId>& points) {
+    if (points.size() > 16) {
+      std::sort(points.begin(), points.end());
+      return std::adjacent_find(points.begin(), points.end()) != points.end();
+    }
+    for (std::size_t i = 1; i < points.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (points[i] == points[j]) return true;
+    return false;
+  }
+
+  const TriangleMesh& mesh_;
+  std::vector<std::uint32_t> some_corner_;  // per point
+};
+
+}  // namespace
+
+bool find_mates(TriangleMesh& mesh) {
+  MateFinder finder(mesh);
+  if (!finder.run()) return false;
+  bool one_shell = false, all_plain = false;
+  parallel::invoke([&] { one_shell = finder.is_one_shell(); },
+                   [&] { all_plain = Umbrellas(mesh).all_plain(); });
+  return one_shell && all_plain;
+}
+
+}  // namespace sectile

@@ -1,0 +1,18 @@
+// Equal positions are one point.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/geometry.h"
+
+namespace sectile {
+
+/// Adds the points of the positions to an empty geometry, in the order in which they are first met,
+/// and gives that of each; -0 and 0 are one coordinate. `input_vertex` becomes each point's first
+/// position.
+std::vector<PointId> unite_positions(std::span<const Vec3> positions, Geometry& geometry,
+                                     std::vector<std::uint32_t>& input_vertex);
+
+}  // namespace sectile
