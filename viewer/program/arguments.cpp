@@ -130,7 +130,7 @@ std::variant<Arguments, ExitCode> parse_arguments(int argc, char** argv) {
   program.footer(examples);
   program.set_version_flag("--version", "sectile-viewer " SECTILE_VERSION, "print the version");
   program.set_help_flag("-h,--help", "print this help");
-  program.add_option("files", arguments.files, "solids to place: OBJ, STL, OFF, PLY")
+  program.add_option("files", arguments.files, "solids to place: OBJ, STL, OFF, PLY, 3MF")
       ->type_name("FILE...");
   program.add_option("--scene", arguments.scene, "a scene to open");
   auto* sample = program.add_option("--sample", arguments.sample, "a figure of the paper to open");
