@@ -7,6 +7,7 @@
 #include "import/contacts.h"
 #include "import/flat_edges.h"
 #include "import/shells.h"
+#include "repair/shells_apart.h"
 #include "storage/cut_into_blocks.h"
 #include "storage/splice.h"
 
@@ -38,7 +39,9 @@ class ShellUniter {
     } catch (const InvalidSolid&) {  // faces are folded onto each other
       return {};
     }
-    return contacts.empty() ? as_it_is() : united(contacts, shells);
+    if (!contacts.empty()) return united(contacts, shells);
+    if (!shells_are_apart(brep_, geometry_, shells)) return {};
+    return as_it_is();
   }
 
  private:

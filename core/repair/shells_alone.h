@@ -19,7 +19,8 @@ struct ShellsUnited {
 };
 
 /// What polygons bound by a rule, if their edges are plain (`mate` is not empty) and one of the
-/// following holds: nothing crosses anything, and they bound a solid as they are; or only different
+/// following holds: nothing crosses anything, no shell touches another one, and they bound a solid
+/// as they are; or only different
 /// shells cross each other, and all are turned outwards: then, unless the rule is `odd`, Booleans
 /// unite them. Otherwise nothing. Plane f is that of polygon f, and all points are explicit. May
 /// add planes to the geometry.

@@ -420,6 +420,21 @@ TEST(RepairCases, FromMeshResolvesOnRequest) {
   EXPECT_EQ(report.holes.size(), 1u);
 }
 
+// An edge of the cavity lies in the middle of the top: around it there are two wedges of material,
+// and what bounds one of them is half of the top and a face of the cavity.
+TEST(RepairCases, ACavityThatTouchesAFaceFromWithinIsNoShellOfItsOwn) {
+  const PolygonMesh box = Builder().box({0, 0, 0}, {4, 4, 4}).mesh();
+  const PolygonMesh wedge{{{2, 2, 4}, {1, 1, 4}, {1, 2, 3}, {2, 1, 3}},
+                          {3, 3, 3, 3},
+                          {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}};
+  const Solid cut = boolean(Solid::from_mesh(box), Solid::from_mesh(wedge), Operation::subtract);
+  const Solid repaired = repair(side_by_side(box, turned(wedge)));
+  EXPECT_EQ(repaired, cut);
+  EXPECT_EQ(cut.counts().shells, 1u);
+  EXPECT_EQ(repaired.counts().shells, 1u);
+  EXPECT_EQ(repaired.counts().edges, cut.counts().edges);
+}
+
 TEST(RepairCases, CanBeCancelled) {
   const std::atomic<bool> cancel{true};
   RepairOptions options;
