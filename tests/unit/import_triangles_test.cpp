@@ -54,13 +54,13 @@ Vec3 on_ball(double u, double v) {
 }
 
 PolygonMesh ball() {
-  return tube(60, 80, true, on_ball);
+  return tube(46, 50, true, on_ball);
 }
 
 PolygonMesh boulder(double grid) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> size(0.97, 1.03);
-  return tube(60, 80, true, [&](double u, double v) {
+  return tube(46, 50, true, [&](double u, double v) {
     const Vec3 p = on_ball(u, v);
     const double by = size(random);
     const auto rounded = [&](double x) { return grid > 0 ? std::round(x / grid) * grid : x; };
@@ -70,14 +70,14 @@ PolygonMesh boulder(double grid) {
 
 // Flat at the top and at one side, where hundreds of triangles are one face.
 PolygonMesh flattened_ball() {
-  return tube(60, 80, true, [](double u, double v) {
+  return tube(46, 50, true, [](double u, double v) {
     const Vec3 p = on_ball(u, v);
     return Vec3{std::min(p.x, 0.9), p.y, std::min(p.z, 0.875)};
   });
 }
 
 PolygonMesh ring() {
-  return tube(64, 64, false, [](double u, double v) {
+  return tube(48, 48, false, [](double u, double v) {
     const double a = 2 * std::numbers::pi * u, b = 2 * std::numbers::pi * v;
     const double r = 3 + std::cos(a);
     return Vec3{r * std::cos(b), r * std::sin(b), -std::sin(a)};
@@ -229,7 +229,7 @@ TEST(ImportTriangles, TwoShells) {
 
 // A sausage whose ends meet in a point.
 TEST(ImportTriangles, OneShellThatMeetsItselfInAPoint) {
-  const PolygonMesh sausage = tube(80, 60, true, [](double u, double v) {
+  const PolygonMesh sausage = tube(46, 50, true, [](double u, double v) {
     const auto sine = [](double t) {
       return t > 0.5 ? -std::sin(2 * std::numbers::pi * (1 - t))
                      : std::sin(2 * std::numbers::pi * t);
@@ -248,7 +248,7 @@ TEST(ImportTriangles, OneShellThatMeetsItselfInAPoint) {
 
 TEST(ImportTriangles, ShellsThatTouchInAPoint) {
   const auto spindle = [](double z) {
-    return tube(60, 80, true, [z](double u, double v) {
+    return tube(32, 40, true, [z](double u, double v) {
       const double b = 2 * std::numbers::pi * v, r = 4 * u * (1 - u);
       return Vec3{r * std::cos(b), r * std::sin(b), z + 1 - 2 * u};
     });
@@ -259,7 +259,7 @@ TEST(ImportTriangles, ShellsThatTouchInAPoint) {
 // Around each edge of a circle there are four triangles.
 TEST(ImportTriangles, RingsThatTouchInACircle) {
   const auto ring_around = [](double middle, double side) {
-    return tube(60, 80, false, [=](double u, double v) {
+    return tube(32, 40, false, [=](double u, double v) {
       const double a = 2 * std::numbers::pi * u, b = 2 * std::numbers::pi * v;
       const double r = middle + side * std::cos(a);
       return Vec3{r * std::cos(b), r * std::sin(b), -side * std::sin(a)};

@@ -88,6 +88,7 @@ class BlockMaker {
     IdMap numbers(triangles);
     std::vector<PointId> points;
     points.reserve(triangles);
+    brep.vertex_half_edge.reserve(triangles);
     for_each_corner(chunk, [&](std::uint32_t corner) {
       const HalfEdgeId h = local_[corner];
       std::uint32_t& known = numbers[mesh_.from(corner).value()];
@@ -137,7 +138,10 @@ class BlockMaker {
     const std::uint32_t slot = TriangleMesh::chunk_of(corner);
     const HalfEdgeId h = local_[corner];
     const Block& block = *blocks_[slot];
-    return {slot, h.value() / 2, block.pieces().of_face[block.brep.face_of(h).value()]};
+    const Pieces& pieces = block.pieces();
+    // Nearly all blocks are in one piece: their faces are not looked at.
+    return {slot, h.value() / 2,
+            pieces.count == 1 ? 0 : pieces.of_face[block.brep.face_of(h).value()]};
   }
 
   void link(std::uint32_t chunk) {
