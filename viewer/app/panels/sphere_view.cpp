@@ -197,9 +197,12 @@ void draw_sphere(PanelContext& context, const Step& step, float width, float hei
   const std::string lit =
       session.interface.lit_row >= 0 && row < step.row_faces.size() ? step.row_faces[row] : "";
   const float line = ImGui::GetTextLineHeight();
-  // Whole pixels: the rim is as sharp wherever the panel begins.
-  const float radius = std::floor(std::max(10.0f, std::min(width, height - line) / 2 - 6));
-  const ImVec2 centre(std::floor(at.x + width / 2), std::floor(at.y + height / 2));
+  // On whole pixels, from the bottom, in steps of a few: the same picture wherever what is above it
+  // ends.
+  const float most = std::max(10.0f, std::min(width, height - line) / 2 - 6);
+  const float radius = most < 16 ? std::floor(most) : 4 * std::floor(most / 4);
+  const ImVec2 centre(std::floor(at.x + width / 2),
+                      std::floor(at.y + height - line / 2) - 6 - radius);
   SphereDrawing(step.sphere, lit, session.view.sphere_turn.camera, context.theme, centre, radius)
       .draw();
   ImGui::PushTextWrapPos(0);
