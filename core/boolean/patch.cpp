@@ -73,11 +73,7 @@ class PartLoader {
     if (known == IdMap::none) {
       Brep& to = patch_.brep;
       known = static_cast<std::uint32_t>(to.edge_count());
-      const std::size_t count = to.half_edge_count() + 2;
-      to.origin.resize(count);
-      to.next.resize(count);
-      to.prev.resize(count);
-      to.loop.resize(count);
+      to.resize_half_edges(to.half_edge_count() + 2);
       patch_.edge_in_solid.push_back(Brep::edge_of(number));
       source_.push_back(first);
       source_.push_back(second);
@@ -95,20 +91,13 @@ class PartLoader {
   }
 
   FaceId add_face(PlaneId plane, FaceSource source) {
-    Brep& to = patch_.brep;
-    to.outer_loop.add(LoopId());
-    to.plane.add(plane);
-    to.source.add(source);
-    to.kind.add(FaceKind::real);
-    return FaceId(to.face_count() - 1);
+    patch_.brep.kind.add(FaceKind::real);
+    return patch_.brep.add_face(plane, source);
   }
 
   LoopId add_loop(FaceId face, LoopId& last) {
     Brep& to = patch_.brep;
-    const LoopId loop(to.loop_count());
-    to.loop_half_edge.add(HalfEdgeId());
-    to.loop_face.add(face);
-    to.next_loop.add(LoopId());
+    const LoopId loop = to.add_loop(face);
     if (last.valid())
       to.next_loop[last] = loop;
     else
@@ -219,9 +208,7 @@ PointId load_point(const Geometry& from, PointId point, Geometry& to) {
 
 Patch half_space_patch(PlaneId plane, FaceSource source) {
   Patch patch;
-  patch.brep.outer_loop.add(LoopId());
-  patch.brep.plane.add(plane);
-  patch.brep.source.add(source);
+  patch.brep.add_face(plane, source);
   patch.brep.kind.add(FaceKind::real);
   patch.face_in_solid.push_back(FaceId());
   patch.loaded_faces = 1;

@@ -26,10 +26,7 @@ class BrepBuilder {
       half_edge_[mate_[i]] = HalfEdgeId(next + 1);
       next += 2;
     }
-    brep_.origin.resize(next);
-    brep_.next.resize(next);
-    brep_.prev.resize(next);
-    brep_.loop.resize(next);
+    brep_.resize_half_edges(next);
     start_.resize(next);
   }
 

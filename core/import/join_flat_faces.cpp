@@ -195,9 +195,7 @@ class Joiner {
       first_.insert(first_.end(), {first, Brep::twin(last)});
     }
     const std::size_t count = first_.size();
-    for (auto* links : {&new_.next, &new_.prev}) links->resize(count);
-    new_.origin.resize(count);
-    new_.loop.resize(count);
+    new_.resize_half_edges(count);
     for (std::uint32_t i = 0; i < count; ++i) {
       const HalfEdgeId last = Brep::twin(first_[i ^ 1u]), after = number_[next_of(last).value()];
       new_.next[HalfEdgeId(i)] = after;
@@ -258,11 +256,8 @@ class Joiner {
     std::vector<std::uint32_t> place(sets_.count(), none);
     for (std::uint32_t i = 0; i < first_.size(); ++i) {
       if (new_.loop[HalfEdgeId(i)].valid()) continue;
-      const LoopId loop(new_.loop_count());
       const FaceId face = set_of(first_[i]);
-      new_.loop_half_edge.add(HalfEdgeId(i));
-      new_.loop_face.add(face);
-      new_.next_loop.add(LoopId());
+      const LoopId loop = new_.add_loop(face, HalfEdgeId(i));
       for_each_in_loop(new_, loop, [&](HalfEdgeId h) { new_.loop[h] = loop; });
       LoopId& outer = new_.outer_loop[face];
       if (!outer.valid()) {

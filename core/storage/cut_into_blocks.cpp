@@ -153,11 +153,7 @@ class Cutter {
       local_[Brep::twin(h).value()] = HalfEdgeId(next + 1);
       next += 2;
     });
-    Brep& brep = blocks_[g]->brep;
-    brep.origin.resize(next);
-    brep.next.resize(next);
-    brep.prev.resize(next);
-    brep.loop.resize(next);
+    blocks_[g]->brep.resize_half_edges(next);
   }
 
   void fill(std::size_t g) {
@@ -174,15 +170,12 @@ class Cutter {
 
   void add_faces(std::size_t g, Brep& to, GeometryLoader& geometry) const {
     for (const FaceId f : groups_[g]) {
-      const FaceId mine(to.face_count());
-      to.plane.add(geometry.plane(brep_.plane[f]));
-      to.source.add(brep_.source[f]);
-      to.outer_loop.add(LoopId(to.loop_count()));
+      const FaceId mine =
+          to.add_face(geometry.plane(brep_.plane[f]), brep_.source[f], LoopId(to.loop_count()));
       for (LoopId l = brep_.outer_loop[f]; l.valid(); l = brep_.next_loop[l]) {
-        const LoopId loop(to.loop_count());
-        to.loop_face.add(mine);
-        to.loop_half_edge.add(local_[brep_.loop_half_edge[l].value()]);
-        to.next_loop.add(brep_.next_loop[l].valid() ? LoopId(loop.value() + 1) : LoopId());
+        const LoopId next(to.loop_count() + 1);
+        const LoopId loop = to.add_loop(mine, local_[brep_.loop_half_edge[l].value()],
+                                        brep_.next_loop[l].valid() ? next : LoopId());
         for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
           const HalfEdgeId here = local_[h.value()], after = local_[brep_.next_of(h).value()];
           to.next[here] = after;

@@ -286,9 +286,7 @@ class Reader {
     if (pins != 0 && pins != half_edges / 2) fail("not all edges have a plane or none");
     for (std::uint32_t n = pins; n > 0; --n)
       brep.edge_plane.add(PlaneId(id(g.planes.size(), true)));
-    brep.next.resize(half_edges);
-    brep.prev.resize(half_edges);
-    brep.loop.resize(half_edges);
+    brep.resize_half_edges(half_edges);
     brep.vertex_half_edge.resize(brep.vertex_count());
     for (const HalfEdgeId h : brep.half_edges()) brep.vertex_half_edge[brep.from(h)] = h;
     for (std::uint32_t n = begin("faces"); n > 0; --n) read_face(brep, g);
@@ -302,11 +300,9 @@ class Reader {
   }
 
   void read_face(Brep& brep, const Geometry& g) {
-    const FaceId face(brep.face_count());
-    brep.plane.add(PlaneId(id(g.planes.size())));
+    const PlaneId plane(id(g.planes.size()));
     const std::uint32_t solid = id();
-    brep.source.add({solid, id()});
-    brep.outer_loop.add(LoopId(brep.loop_count()));
+    const FaceId face = brep.add_face(plane, {solid, id()}, LoopId(brep.loop_count()));
     for (std::uint32_t corners = id(), first = corners; corners > 0; corners = id(), first = 0) {
       if (first == 0) brep.next_loop.back() = LoopId(brep.loop_count());
       read_loop(brep, face, corners);
@@ -315,11 +311,8 @@ class Reader {
   }
 
   void read_loop(Brep& brep, FaceId face, std::uint32_t corners) {
-    const LoopId loop(brep.loop_count());
     const HalfEdgeId begin(id(brep.half_edge_count()));
-    brep.loop_half_edge.add(begin);
-    brep.loop_face.add(face);
-    brep.next_loop.add(LoopId());
+    const LoopId loop = brep.add_loop(face, begin);
     HalfEdgeId last = begin;
     for (std::uint32_t k = 0; k < corners; ++k) {
       if (brep.loop[last].valid()) fail("a half-edge is in two loops");

@@ -16,10 +16,7 @@ class Joiner {
 
   void run() {
     for (std::uint32_t s = 0; s < joined_.size(); ++s) number_edges(s);
-    brep_.next.resize(edges_ * 2);
-    brep_.prev.resize(edges_ * 2);
-    brep_.loop.resize(edges_ * 2);
-    brep_.origin.resize(edges_ * 2);
+    brep_.resize_half_edges(edges_ * 2);
     start_.resize(edges_ * 2);
     for (std::uint32_t s = 0; s < joined_.size(); ++s)
       if (!solid_.slot(s).empty()) add_block(s);
@@ -52,10 +49,8 @@ class Joiner {
     const Brep& from = slot.block->brep;
     const GeometryOffset offset = append_geometry(slot.block->geometry, geometry_, slot.turned);
     for (const FaceId f : from.faces()) {
-      const FaceId mine(brep_.face_count());
-      brep_.plane.add(offset.plane(from.plane[f]));
-      brep_.source.add(from.source[f]);
-      brep_.outer_loop.add(LoopId(brep_.loop_count()));
+      const FaceId mine =
+          brep_.add_face(offset.plane(from.plane[f]), from.source[f], LoopId(brep_.loop_count()));
       for (LoopId l = from.outer_loop[f]; l.valid(); l = from.next_loop[l])
         add_loop(s, l, mine, offset);
     }
@@ -66,10 +61,9 @@ class Joiner {
     const Slot& slot = solid_.slot(s);
     const Brep& from = slot.block->brep;
     const std::vector<HalfEdgeId>& ids = joined_[s];
-    const LoopId mine(brep_.loop_count());
-    brep_.loop_face.add(face);
-    brep_.loop_half_edge.add(ids[from.loop_half_edge[l].value()]);
-    brep_.next_loop.add(from.next_loop[l].valid() ? LoopId(mine.value() + 1) : LoopId());
+    const LoopId next(brep_.loop_count() + 1);
+    const LoopId mine = brep_.add_loop(face, ids[from.loop_half_edge[l].value()],
+                                       from.next_loop[l].valid() ? next : LoopId());
     for_each_in_loop(slot, l, [&](HalfEdgeId h) {
       const HalfEdgeId here = ids[h.value()], after = ids[slot.next_of(h).value()];
       brep_.next[here] = after;

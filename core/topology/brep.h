@@ -53,6 +53,12 @@ class Brep {
 
   /// Room for so many more edges, faces with one loop each, and vertices.
   void reserve(std::size_t edges, std::size_t faces, std::size_t vertices);
+  /// New half-edges have no links; edge_plane stays as it is.
+  void resize_half_edges(std::size_t count);
+  /// A face with its outer loop, which may come later; `kind` stays as it is.
+  FaceId add_face(PlaneId of_plane, const FaceSource& of_source, LoopId outer = {});
+  /// A loop of a face, and the one after it in the face's chain.
+  LoopId add_loop(FaceId face, HalfEdgeId first = {}, LoopId next_in_face = {});
 
   static HalfEdgeId twin(HalfEdgeId h) { return HalfEdgeId(h.value() ^ 1u); }
   static EdgeId edge_of(HalfEdgeId h) { return EdgeId(h.value() >> 1); }
@@ -89,6 +95,25 @@ inline void Brep::reserve(std::size_t edges, std::size_t faces, std::size_t vert
   if (!kind.empty()) add(kind, faces);
   add(vertex_half_edge, vertices);
   add(point, vertices);
+}
+
+inline void Brep::resize_half_edges(std::size_t count) {
+  origin.resize(count);
+  next.resize(count);
+  prev.resize(count);
+  loop.resize(count);
+}
+
+inline FaceId Brep::add_face(PlaneId of_plane, const FaceSource& of_source, LoopId outer) {
+  plane.add(of_plane);
+  source.add(of_source);
+  return outer_loop.add(outer);
+}
+
+inline LoopId Brep::add_loop(FaceId face, HalfEdgeId first, LoopId next_in_face) {
+  loop_face.add(face);
+  next_loop.add(next_in_face);
+  return loop_half_edge.add(first);
 }
 
 /// Calls visit(HalfEdgeId) for every half-edge of a loop, in order.

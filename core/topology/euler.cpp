@@ -6,11 +6,9 @@ namespace sectile {
 
 HalfEdgeId Euler::add_edge(VertexId from, VertexId to) {
   const HalfEdgeId h(brep_.half_edge_count());
-  brep_.origin.add(from);
-  brep_.origin.add(to);
-  brep_.next.resize(brep_.next.size() + 2);
-  brep_.prev.resize(brep_.prev.size() + 2);
-  brep_.loop.resize(brep_.loop.size() + 2);
+  brep_.resize_half_edges(brep_.half_edge_count() + 2);
+  brep_.origin[h] = from;
+  brep_.origin[Brep::twin(h)] = to;
   if (!brep_.edge_plane.empty()) brep_.edge_plane.add(PlaneId());
   return h;
 }
@@ -40,19 +38,12 @@ bool Euler::first_is_shorter(HalfEdgeId a, HalfEdgeId b) const {
 }
 
 FaceId Euler::copy_face(FaceId face) {
-  const FaceId copy(brep_.face_count());
-  brep_.outer_loop.add(LoopId());
-  brep_.plane.add(brep_.plane[face]);
-  brep_.source.add(brep_.source[face]);
   if (!brep_.kind.empty()) brep_.kind.add(brep_.kind[face]);
-  return copy;
+  return brep_.add_face(brep_.plane[face], FaceSource(brep_.source[face]));
 }
 
 LoopId Euler::add_loop(HalfEdgeId member, FaceId face) {
-  const LoopId loop(brep_.loop_count());
-  brep_.loop_half_edge.add(member);
-  brep_.loop_face.add(face);
-  brep_.next_loop.add(LoopId());
+  const LoopId loop = brep_.add_loop(face, member);
   LoopId& outer = brep_.outer_loop[face];
   if (outer.valid()) {
     brep_.next_loop[loop] = brep_.next_loop[outer];

@@ -4,15 +4,9 @@ namespace sectile {
 namespace {
 
 void add_rest(Brep& brep, HalfEdgeId first) {
-  const FaceId face(brep.face_count());
-  const LoopId loop(brep.loop_count());
-  brep.outer_loop.add(loop);
-  brep.plane.add(PlaneId());
-  brep.source.add(FaceSource{});
+  const FaceId face = brep.add_face(PlaneId(), FaceSource{}, LoopId(brep.loop_count()));
+  const LoopId loop = brep.add_loop(face, first);
   brep.kind.add(FaceKind::rest);
-  brep.loop_face.add(face);
-  brep.loop_half_edge.add(first);
-  brep.next_loop.add(LoopId());
   for (HalfEdgeId h = first; !brep.loop[h].valid(); h = brep.next_of(h)) brep.loop[h] = loop;
 }
 

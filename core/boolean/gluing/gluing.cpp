@@ -174,12 +174,8 @@ class Gluer {
 
   HalfEdgeId add_edge(const SourceHalfEdge& e) {
     const HalfEdgeId id = made(e) = HalfEdgeId(brep_.half_edge_count());
-    const std::size_t count = brep_.half_edge_count() + 2;
-    brep_.origin.resize(count);
-    brep_.next.resize(count);
-    brep_.prev.resize(count);
-    brep_.loop.resize(count);
-    start_.resize(count);
+    brep_.resize_half_edges(brep_.half_edge_count() + 2);
+    start_.resize(brep_.half_edge_count());
     return id;
   }
 
@@ -243,16 +239,9 @@ class Gluer {
            from.brep.point_of(from.brep.from(h)) == from.brep.point_of(from.brep.to(h));
   }
 
-  FaceId add_face(PlaneId plane, FaceSource source) {
-    brep_.plane.add(plane);
-    brep_.source.add(source);
-    brep_.outer_loop.add(LoopId());
-    return FaceId(brep_.face_count() - 1);
-  }
-
   void add_face(const Source& from, FaceId face) {
-    const FaceId here =
-        add_face(from.geometry.plane(from.brep.plane[face], from.turned), from.brep.source[face]);
+    const FaceId here = brep_.add_face(from.geometry.plane(from.brep.plane[face], from.turned),
+                                       from.brep.source[face]);
     LoopId last;
     for (LoopId l = from.brep.outer_loop[face]; l.valid(); l = from.brep.next_loop[l]) {
       chain_.clear();
@@ -264,10 +253,7 @@ class Gluer {
   }
 
   LoopId add_loop(FaceId face, LoopId& last) {
-    const LoopId loop(brep_.loop_count());
-    brep_.loop_face.add(face);
-    brep_.next_loop.add(LoopId());
-    brep_.loop_half_edge.add(HalfEdgeId());
+    const LoopId loop = brep_.add_loop(face);
     (last.valid() ? brep_.next_loop[last] : brep_.outer_loop[face]) = loop;
     return last = loop;
   }

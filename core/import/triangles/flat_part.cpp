@@ -57,10 +57,7 @@ class PartBuilder {
       half_edge_[local(mesh_.mate[corner])] = HalfEdgeId(next + 1);
       next += 2;
     });
-    brep_.origin.resize(next);
-    brep_.next.resize(next);
-    brep_.prev.resize(next);
-    brep_.loop.resize(next);
+    brep_.resize_half_edges(next);
     start_.resize(next);
   }
 
@@ -84,13 +81,6 @@ class PartBuilder {
   }
 
   void add_face(std::size_t i) {
-    const LoopId loop(i);
-    brep_.outer_loop.add(loop);
-    brep_.source.add({origin_, mesh_.source[part_.triangles[i]]});
-    brep_.kind.add(FaceKind::real);
-    brep_.loop_face.add(FaceId(i));
-    brep_.loop_half_edge.add(half_edge_[3 * i]);
-    brep_.next_loop.add(LoopId());
     PointId corners[3];
     for (std::size_t k = 0; k < 3; ++k) {
       const HalfEdgeId h = half_edge_[3 * i + k], after = half_edge_[3 * i + (k + 1) % 3];
@@ -98,10 +88,13 @@ class PartBuilder {
       start_[h.value()] = corners[k];
       brep_.next[h] = after;
       brep_.prev[after] = h;
-      brep_.loop[h] = loop;
+      brep_.loop[h] = LoopId(i);
     }
-    brep_.plane.add(
-        part_.geometry.add_plane(PlaneDefinition::through(corners[0], corners[1], corners[2])));
+    const PlaneId plane =
+        part_.geometry.add_plane(PlaneDefinition::through(corners[0], corners[1], corners[2]));
+    brep_.kind.add(FaceKind::real);
+    brep_.add_loop(brep_.add_face(plane, {origin_, mesh_.source[part_.triangles[i]]}, LoopId(i)),
+                   half_edge_[3 * i]);
   }
 
   const TriangleMesh& mesh_;

@@ -76,10 +76,7 @@ class BlockMaker {
       next += 2;
     });
     Brep& brep = block.brep;
-    brep.origin.resize(next);
-    brep.next.resize(next);
-    brep.prev.resize(next);
-    brep.loop.resize(next);
+    brep.resize_half_edges(next);
   }
 
   // In the order in which they are met; points have their numbers.
@@ -110,7 +107,7 @@ class BlockMaker {
     Brep& brep = block.brep;
     brep.loop_face.reserve(triangles);
     brep.loop_half_edge.reserve(triangles);
-    brep.next_loop.resize(triangles);
+    brep.next_loop.reserve(triangles);
     brep.outer_loop.reserve(triangles);
     brep.plane.reserve(triangles);
     brep.source.reserve(triangles);
@@ -124,12 +121,9 @@ class BlockMaker {
         brep.loop[h[k]] = loop;
         if (block.is_border(h[k])) brep.origin[Brep::twin(h[k])] = brep.from(h[(k + 1) % 3]);
       }
-      brep.loop_face.add(FaceId(loop.value()));
-      brep.loop_half_edge.add(h[0]);
-      brep.outer_loop.add(loop);
-      brep.source.add({origin_, mesh_.source[t]});
-      brep.plane.add(block.geometry.add_plane(
-          PlaneDefinition::through(point(brep, h[0]), point(brep, h[1]), point(brep, h[2]))));
+      const PlaneId plane = block.geometry.add_plane(
+          PlaneDefinition::through(point(brep, h[0]), point(brep, h[1]), point(brep, h[2])));
+      brep.add_loop(brep.add_face(plane, {origin_, mesh_.source[t]}, loop), h[0]);
     });
   }
   static PointId point(const Brep& brep, HalfEdgeId h) { return brep.point_of(brep.from(h)); }
