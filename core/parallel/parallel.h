@@ -12,6 +12,7 @@
 #include <tbb/parallel_sort.h>
 #include <tbb/task_group.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 
@@ -46,6 +47,8 @@ void invoke(const First& first, const Second& second) {
 
 template <class Iterator, class Less = std::less<>>
 void sort(Iterator begin, Iterator end, const Less& less = Less()) {
+  constexpr std::ptrdiff_t few = 500;  // as for TBB, which sorts these on one core
+  if (end - begin < few) return std::sort(begin, end, less);
   tbb::task_group_context own(tbb::task_group_context::isolated);
   tbb::task_group(own).run_and_wait([&] { tbb::parallel_sort(begin, end, less); });
 }

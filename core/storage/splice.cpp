@@ -2,8 +2,19 @@
 
 #include <algorithm>
 
+#include "parallel/parallel.h"
+
 namespace sectile {
 namespace {
+
+// New links for the slots for which there are some.
+void relink(std::vector<Slot>& slots, std::vector<std::vector<BorderLink>> fresh) {
+  parallel::loop(tbb::blocked_range<std::size_t>(0, slots.size(), 64), [&](const auto& range) {
+    for (std::size_t s = range.begin(); s < range.end(); ++s)
+      if (!fresh[s].empty())
+        slots[s].links = std::make_shared<BorderLinks>(*slots[s].block, std::move(fresh[s]));
+  });
+}
 
 // The border edges of shared blocks lead to the new blocks from now on.
 void link_to_part(std::vector<Slot>& slots, const std::vector<BorderEdge>& outside,
@@ -15,9 +26,7 @@ void link_to_part(std::vector<Slot>& slots, const std::vector<BorderEdge>& outsi
     fresh[slot][outside[e].border] = {static_cast<std::int32_t>(made[e].slot - slot),
                                       made[e].border, made[e].piece};
   }
-  for (std::size_t s = 0; s < fresh.size(); ++s)
-    if (!fresh[s].empty())
-      slots[s].links = std::make_shared<BorderLinks>(*slots[s].block, std::move(fresh[s]));
+  relink(slots, std::move(fresh));
 }
 
 void add_part(std::vector<Slot>& slots, const NewPart& part) {
@@ -46,18 +55,21 @@ void compact(std::vector<Slot>& slots) {
     if (slots[s].empty()) ++gaps;
   }
   std::vector<Slot> dense;
+  std::vector<std::vector<BorderLink>> fresh;
   dense.reserve(slots.size() - gaps);
+  fresh.reserve(slots.size() - gaps);
   for (std::uint32_t s = 0; s < slots.size(); ++s) {
     if (slots[s].empty()) continue;
-    Slot& slot = dense.emplace_back(std::move(slots[s]));
+    const Slot& slot = dense.emplace_back(std::move(slots[s]));
+    std::vector<BorderLink>& links = fresh.emplace_back();
     if (!slot.links) continue;
-    std::vector<BorderLink> links = slot.links->all();
+    links = slot.links->all();
     for (BorderLink& link : links) {
       const std::uint32_t other = s + static_cast<std::uint32_t>(link.slots);
       link.slots -= static_cast<std::int32_t>(gaps_before[other] - gaps_before[s]);
     }
-    slot.links = std::make_shared<BorderLinks>(*slot.block, std::move(links));
   }
+  relink(dense, std::move(fresh));
   slots = std::move(dense);
 }
 

@@ -4,6 +4,7 @@
 
 #include "boolean/components/free_point.h"
 #include "boolean/components/point_in_solid.h"
+#include "boolean/side_by_side.h"
 #include "search/id_map.h"
 #include "sectile/errors.h"
 
@@ -25,15 +26,19 @@ class Labelling {
         brep_(patch_.brep),
         loaded_(labels.loaded[operand]),
         rest_(labels.rest[operand]),
-        open_ends_(64) {
+        open_ends_(64) {}
+
+  // Changes nothing but the labels of its operand.
+  void spread_from_segments(const Neighborhoods& neighborhoods, const JoinedCuts& joined) {
     loaded_.assign(brep_.face_count(), unknown);
     if (!patch_.unbounded) rest_ = RestLabels(patch_);
     if (!rest_.empty()) find_open_ends();
-  }
-
-  void run(const Neighborhoods& neighborhoods, const JoinedCuts& joined) {
     seed_from_segments(neighborhoods, joined);
     spread();
+  }
+
+  // May load points for rays.
+  void label_untouched() {
     visit_untouched_shells();
     for (const FaceId f : loaded_.ids())
       if (!patch_.is_real(f)) loaded_[f] = nothing;
@@ -211,8 +216,12 @@ FaceLabels find_components(Workspace& w, const Contacts& contacts,
                            const Neighborhoods& neighborhoods, const JoinedCuts& joined,
                            const LabelOf& label_of) {
   FaceLabels labels;
-  for (const Operand s : both_operands)
-    Labelling(w, contacts, s, label_of, labels).run(neighborhoods, joined);
+  Labelling labelling[] = {{w, contacts, Operand::a, label_of, labels},
+                           {w, contacts, Operand::b, label_of, labels}};
+  for_both_operands(neighborhoods.half_planes.size(), [&](Operand s) {
+    labelling[static_cast<std::size_t>(s)].spread_from_segments(neighborhoods, joined);
+  });
+  for (Labelling& operand : labelling) operand.label_untouched();
   return labels;
 }
 

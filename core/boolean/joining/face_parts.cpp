@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boolean/collect.h"
 #include "boolean/ray_count.h"
 #include "boolean/reduction/standing.h"
 #include "geometry/axes.h"
@@ -19,7 +20,7 @@ class PartSettler {
   PartSettler(Workspace& w, Operand operand)
       : w_(w), kernel_(w.tests()), patch_(w.patch[operand]), brep_(patch_.brep) {}
 
-  void settle(FaceId root, std::vector<FaceId>& faces) {
+  void settle(FaceId root, std::span<const FaceId> faces) {
     root_ = root;
     find_loops(faces);
     // The face of a half-space has a part without an outer loop, which reaches to infinity.
@@ -39,7 +40,7 @@ class PartSettler {
   }
 
  private:
-  void find_loops(const std::vector<FaceId>& faces) {
+  void find_loops(std::span<const FaceId> faces) {
     outer_.clear();
     inner_.clear();
     for (const FaceId f : faces)
@@ -68,7 +69,7 @@ class PartSettler {
   }
 
   // Loops stay with their face where possible.
-  void place_outer(const std::vector<FaceId>& faces) {
+  void place_outer(std::span<const FaceId> faces) {
     std::vector<LoopId> homeless;
     for (const LoopId l : outer_) {
       const FaceId f = brep_.loop_face[l];
@@ -227,26 +228,36 @@ class PartSettler {
   std::vector<std::unique_ptr<BoxTree>> edge_trees_;  // per outer loop, if it has many edges
 };
 
+// The parts of each divided face, ascending by their roots.
+std::vector<FaceId> parts_by_root(const Patch& patch, const Table<FaceId, std::uint8_t>& divided) {
+  std::vector<FaceId> parts;
+  for (const FaceId f : patch.root.ids())
+    if (divided[patch.root_of(f)] && patch.is_real(f)) parts.push_back(f);
+  parallel::sort(parts.begin(), parts.end(), [&](FaceId f, FaceId g) {
+    return std::pair(patch.root_of(f), f) < std::pair(patch.root_of(g), g);
+  });
+  return parts;
+}
+
 }  // namespace
 
+// What is written of a face is its own, so faces are settled beside each other.
 void settle_face_parts(Workspace& w, const PerOperand<Table<FaceId, std::uint8_t>>& divided) {
+  struct Nothing {};
   for (const Operand s : both_operands) {
-    const Patch& patch = w.patch[s];
-    // The parts of each divided face, in the order of their roots.
-    std::vector<FaceId> parts;
-    for (const FaceId f : patch.root.ids())
-      if (divided[s][patch.root_of(f)] && patch.is_real(f)) parts.push_back(f);
-    std::stable_sort(parts.begin(), parts.end(),
-                     [&](FaceId f, FaceId g) { return patch.root_of(f) < patch.root_of(g); });
-    PartSettler settler(w, s);
-    std::vector<FaceId> faces;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      faces.push_back(parts[i]);
-      const FaceId root = patch.root_of(parts[i]);
-      if (i + 1 < parts.size() && patch.root_of(parts[i + 1]) == root) continue;
-      settler.settle(root, faces);
-      faces.clear();
-    }
+    const std::vector<FaceId> parts = parts_by_root(w.patch[s], divided[s]);
+    const auto root = [&](std::size_t i) { return w.patch[s].root_of(parts[i]); };
+    std::vector<std::uint32_t> starts;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (i == 0 || root(i) != root(i - 1)) starts.push_back(static_cast<std::uint32_t>(i));
+    const std::size_t faces = starts.size(), chunk = 256;
+    starts.push_back(static_cast<std::uint32_t>(parts.size()));
+    collect<Nothing>(w, (faces + chunk - 1) / chunk, 1, [&](std::size_t c, Nothing&) {
+      PartSettler settler(w, s);
+      for (std::size_t i = c * chunk; i < std::min(faces, (c + 1) * chunk); ++i)
+        settler.settle(root(starts[i]),
+                       std::span(parts).subspan(starts[i], starts[i + 1] - starts[i]));
+    });
   }
 }
 

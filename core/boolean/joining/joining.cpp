@@ -2,6 +2,7 @@
 
 #include "boolean/joining/face_parts.h"
 #include "boolean/patch_euler.h"
+#include "boolean/side_by_side.h"
 
 namespace sectile {
 namespace {
@@ -96,15 +97,17 @@ PerOperand<Table<FaceId, std::uint8_t>> divided_faces(const Workspace& w, const 
 JoinedCuts join_null_edges(Workspace& w, const Neighborhoods& neighborhoods, const Cuts& cuts) {
   JoinedCuts joined;
   joined.sides.resize(neighborhoods.carriers.size());
-  for (const Segment& segment : neighborhoods.segments) {
-    w.check_cancelled();
-    for (const CarrierId id : segment.carriers) {
-      const Carrier& carrier = neighborhoods.carriers[id];
-      if (!carrier.cut) continue;
-      const auto [p, q] = cuts.of_carrier[id];
-      joined.sides[id] = Joiner(w, segment, carrier).join(cuts.ends[p], cuts.ends[q]);
+  for_both_operands(neighborhoods.carriers.size(), [&](Operand s) {
+    for (const Segment& segment : neighborhoods.segments) {
+      w.check_cancelled();
+      for (const CarrierId id : segment.carriers) {
+        const Carrier& carrier = neighborhoods.carriers[id];
+        if (!carrier.cut || carrier.operand != s) continue;
+        const auto [p, q] = cuts.of_carrier[id];
+        joined.sides[id] = Joiner(w, segment, carrier).join(cuts.ends[p], cuts.ends[q]);
+      }
     }
-  }
+  });
   joined.divided = divided_faces(w, neighborhoods, cuts, joined.sides);
   settle_face_parts(w, joined.divided);
   return joined;

@@ -4,19 +4,23 @@
 
 #include "boolean/direction.h"
 #include "boolean/patch_euler.h"
+#include "boolean/side_by_side.h"
 
 namespace sectile {
 namespace {
 
 class Bridging {
  public:
-  Bridging(Workspace& w, const CutPlan& plan, const SiteVertices& vertices)
-      : w_(w), kernel_(w.tests()), plan_(plan), vertices_(vertices) {}
+  Bridging(Workspace& w, Operand operand, const CutPlan& plan, const SiteVertices& vertices)
+      : operand_(operand),
+        patch_(w.patch[operand]),
+        kernel_(w.tests()),
+        plan_(plan),
+        vertices_(vertices) {}
 
-  Bridges take() { return std::move(bridges_); }
+  OperandBridges take() { return std::move(bridges_); }
 
   void at_place(std::span<const SiteId> sites) {
-    operand_ = plan_.sites[sites[0]].operand;
     corners_.clear();
     std::size_t vertices = 0;
     for (const SiteId s : sites) {
@@ -46,12 +50,11 @@ class Bridging {
     bool leaves;
   };
 
-  Patch& patch() { return w_.patch[operand_]; }
-  Brep& brep() { return w_.patch[operand_].brep; }
+  Brep& brep() { return patch_.brep; }
 
   void add_corners(VertexId v) {
     for_each_around(brep(), brep().vertex_half_edge[v], [&](HalfEdgeId h) {
-      if (patch().is_real(brep().face_of(h)) && !patch().is_null(h)) corners_.push_back(h);
+      if (patch_.is_real(brep().face_of(h)) && !patch_.is_null(h)) corners_.push_back(h);
     });
   }
 
@@ -62,8 +65,8 @@ class Bridging {
     std::vector<Bound> bounds;
     for (const HalfEdgeId h : corners) {
       const HalfEdgeId before = previous_with_length(brep(), h);
-      bounds.push_back({direction_of(kernel_, patch(), h), h, true});
-      bounds.push_back({-direction_of(kernel_, patch(), before), before, false});
+      bounds.push_back({direction_of(kernel_, patch_, h), h, true});
+      bounds.push_back({-direction_of(kernel_, patch_, before), before, false});
     }
     const Direction start = bounds[0].direction;
     // In a slit, one half-edge arrives where another one leaves: the face ends there and begins
@@ -87,28 +90,33 @@ class Bridging {
   }
 
   void connect(HalfEdgeId from, HalfEdgeId to) {
-    const FaceId root = patch().root_of(to);
-    const HalfEdgeId made = PatchEuler(patch()).connect(from, to);
+    const FaceId root = patch_.root_of(to);
+    const HalfEdgeId made = PatchEuler(patch_).connect(from, to);
     bridges_.null_edges.push_back({operand_, Brep::edge_of(made)});
-    bridges_.faces[operand_].push_back(root);
+    bridges_.faces.push_back(root);
   }
 
-  Workspace& w_;
+  const Operand operand_;
+  Patch& patch_;
   const Kernel& kernel_;
   const CutPlan& plan_;
   const SiteVertices& vertices_;
-  Operand operand_ = Operand::a;
   std::vector<HalfEdgeId> corners_;
-  Bridges bridges_;
+  OperandBridges bridges_;
 };
 
 }  // namespace
 
-Bridges bridge_touching_corners(Workspace& w, const CutPlan& plan, const SitesByPlace& places,
-                                const SiteVertices& vertices) {
-  Bridging bridging(w, plan, vertices);
-  places.for_each([&](std::span<const SiteId> sites) { bridging.at_place(sites); });
-  return bridging.take();
+PerOperand<OperandBridges> bridge_touching_corners(Workspace& w, const CutPlan& plan,
+                                                   const SitesByPlace& places,
+                                                   const SiteVertices& vertices) {
+  PerOperand<OperandBridges> bridges;
+  for_both_operands(plan.sites.size(), [&](Operand s) {
+    Bridging bridging(w, s, plan, vertices);
+    places.for_each(s, [&](std::span<const SiteId> sites) { bridging.at_place(sites); });
+    bridges[s] = bridging.take();
+  });
+  return bridges;
 }
 
 }  // namespace sectile

@@ -9,14 +9,15 @@
 namespace sectile {
 
 /// Null edges between corners of one face at one place.
-struct Bridges {
+struct OperandBridges {
   std::vector<NullEdge> null_edges;
-  PerOperand<std::vector<FaceId>> faces;  ///< the loaded faces that have such
+  std::vector<FaceId> faces;  ///< the loaded faces that have such
 };
 
 /// Where a face touches itself at a place and several of its vertices there have cuts, null edges
 /// link them so that each corner encloses nothing but a part of the face.
-Bridges bridge_touching_corners(Workspace& w, const CutPlan& plan, const SitesByPlace& places,
-                                const SiteVertices& vertices);
+PerOperand<OperandBridges> bridge_touching_corners(Workspace& w, const CutPlan& plan,
+                                                   const SitesByPlace& places,
+                                                   const SiteVertices& vertices);
 
 }  // namespace sectile

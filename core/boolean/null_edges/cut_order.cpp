@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "boolean/collect.h"
 #include "boolean/direction.h"
 #include "sectile/errors.h"
 
@@ -49,56 +50,27 @@ class Corners {
   std::vector<Corner> corners_;
 };
 
-class Ordering {
+// What all cuts have in common.
+struct Given {
+  const Workspace& w;
+  const Contacts& contacts;
+  const Neighborhoods& n;
+  const CutPlan& plan;
+  const SiteVertices& vertices;
+};
+
+// Where the cuts leave the sites of one place.
+class PlaceLeaver {
  public:
-  Ordering(const Workspace& w, const Contacts& contacts, const Neighborhoods& n,
-           const CutPlan& plan, const SiteVertices& vertices)
-      : w_(w),
-        kernel_(w.tests()),
-        contacts_(contacts),
-        n_(n),
-        plan_(plan),
-        vertices_(vertices),
-        along_(n.carriers.size()) {}
+  PlaceLeaver(const Given& given, const Table<CarrierId, Direction>& along)
+      : w_(given.w),
+        kernel_(given.w.tests()),
+        n_(given.n),
+        plan_(given.plan),
+        vertices_(given.vertices),
+        along_(along) {}
 
-  CutOrder run(const SitesByPlace& places) {
-    for (const Segment& segment : n_.segments)
-      for (const CarrierId c : segment.carriers)
-        along_[c] = direction_along(segment, n_.carriers[c]);
-    leaving_.reserve(plan_.ends.size());
-    places.for_each([&](std::span<const SiteId> sites) { leave_place(sites); });
-    group_by_site();
-    for (const SiteId s : order_.at.ids()) {
-      w_.check_cancelled();
-      sort(s);
-    }
-    order_.ends.reserve(leaving_.size());
-    for (const Leaving& l : leaving_) order_.ends.add(l.end);
-    return std::move(order_);
-  }
-
- private:
-  // The half-edge of a carrier that is an edge, from whichever end its even half-edge reaches
-  // first.
-  HalfEdgeId first_half_edge(CarrierId id) const {
-    const Carrier& c = n_.carriers[id];
-    const unsigned start = c.along ? 0 : 1;
-    return c.end[start].is_vertex()
-               ? Brep::half_edge(c.entity.edge())
-               : vertices_[plan_.ends[plan_.of_carrier[id][start]].site].forward;
-  }
-
-  // The direction of a segment within a face that it cuts.
-  Direction direction_along(const Segment& segment, const Carrier& c) const {
-    if (!c.cut || !c.entity.is_face()) return {};
-    const PlaneId plane = w_.patch[c.operand].plane(c.entity.face());
-    const PlaneId across =
-        kernel_.parallel(plane, segment.plane[0]) ? segment.plane[1] : segment.plane[0];
-    return direction_between(kernel_, plane, across, contacts_.point(segment.place[0]),
-                             contacts_.point(segment.place[1]));
-  }
-
-  void leave_place(std::span<const SiteId> sites) {
+  void leave_place(std::span<const SiteId> sites, std::vector<Leaving>& leaving) {
     patch_ = &w_.patch[plan_.sites[sites[0]].operand];
     sites_here_.clear();
     vertices_here_.clear();
@@ -110,7 +82,18 @@ class Ordering {
     std::sort(sites_here_.begin(), sites_here_.end());
     corners_known_ = false;
     for (const SiteId s : sites)
-      for (const PlannedEndId end : plan_.sites[s].ends) leaving_.push_back(leave(s, end));
+      for (const PlannedEndId end : plan_.sites[s].ends) leaving.push_back(leave(s, end));
+  }
+
+ private:
+  // The half-edge of a carrier that is an edge, from whichever end its even half-edge reaches
+  // first.
+  HalfEdgeId first_half_edge(CarrierId id) const {
+    const Carrier& c = n_.carriers[id];
+    const unsigned start = c.along ? 0 : 1;
+    return c.end[start].is_vertex()
+               ? Brep::half_edge(c.entity.edge())
+               : vertices_[plan_.ends[plan_.of_carrier[id][start]].site].forward;
   }
 
   Leaving leave(SiteId site, PlannedEndId id) {
@@ -154,6 +137,76 @@ class Ordering {
     return found;
   }
 
+  const Workspace& w_;
+  const Kernel& kernel_;
+  const Neighborhoods& n_;
+  const CutPlan& plan_;
+  const SiteVertices& vertices_;
+  const Table<CarrierId, Direction>& along_;  // for cut faces
+
+  // Of the place that is looked at.
+  const Patch* patch_ = nullptr;
+  std::vector<std::pair<VertexId, SiteId>> sites_here_;
+  std::vector<VertexId> vertices_here_;
+  Corners corners_;  // of the vertices here, once somebody asked
+  bool corners_known_ = false;
+};
+
+class Ordering {
+ public:
+  explicit Ordering(const Given& given)
+      : given_(given),
+        w_(given.w),
+        kernel_(given.w.tests()),
+        n_(given.n),
+        plan_(given.plan),
+        along_(given.n.carriers.size()) {}
+
+  CutOrder run(const SitesByPlace& places) {
+    in_chunks(n_.segments.size(), [&](std::size_t i) {
+      const Segment& segment = n_.segments[SegmentId(i)];
+      for (const CarrierId c : segment.carriers)
+        along_[c] = direction_along(segment, n_.carriers[c]);
+    });
+    leave(places);
+    group_by_site();
+    in_chunks(order_.at.size(), [&](std::size_t i) { sort(SiteId(i)); });
+    order_.ends.reserve(leaving_.size());
+    for (const Leaving& l : leaving_) order_.ends.add(l.end);
+    return std::move(order_);
+  }
+
+ private:
+  static constexpr std::size_t chunk = 512;
+
+  template <class Body>
+  void in_chunks(std::size_t count, const Body& body) const {
+    struct Nothing {};
+    collect<Nothing>(w_, count, chunk, [&](std::size_t i, Nothing&) { body(i); });
+  }
+
+  // The direction of a segment within a face that it cuts.
+  Direction direction_along(const Segment& segment, const Carrier& c) const {
+    if (!c.cut || !c.entity.is_face()) return {};
+    const PlaneId plane = w_.patch[c.operand].plane(c.entity.face());
+    const PlaneId across =
+        kernel_.parallel(plane, segment.plane[0]) ? segment.plane[1] : segment.plane[0];
+    return direction_between(kernel_, plane, across, given_.contacts.point(segment.place[0]),
+                             given_.contacts.point(segment.place[1]));
+  }
+
+  void leave(const SitesByPlace& places) {
+    const std::size_t count = places.size();
+    const auto parts = collect<std::vector<Leaving>>(
+        w_, (count + chunk - 1) / chunk, 1, [&](std::size_t c, std::vector<Leaving>& leaving) {
+          PlaceLeaver leaver(given_, along_);
+          for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i)
+            leaver.leave_place(places[i], leaving);
+        });
+    leaving_.reserve(plan_.ends.size());
+    for (const std::vector<Leaving>& part : parts) append(leaving_, part);
+  }
+
   void group_by_site() {
     Table<SiteId, std::uint32_t> count(plan_.sites.size());
     for (const Leaving& l : leaving_) ++count[l.end.site];
@@ -176,22 +229,22 @@ class Ordering {
     const IdRange<CutEndId> range = order_.at[s];
     if (range.size() < 2) return;
     const Site& site = plan_.sites[s];
-    patch_ = &w_.patch[site.operand];
+    const Patch& patch = w_.patch[site.operand];
     const auto ends = std::span(leaving_).subspan(range.front().value(), range.size());
     if (site.entity.is_face()) {
-      sort_within_face(site.entity.face(), ends);
+      sort_within_face(patch, site.entity.face(), ends);
     } else {
-      number_corners(vertices_[s].vertex, ends);
-      sort_around_vertex(ends);
+      number_corners(patch, given_.vertices[s].vertex, ends);
+      sort_around_vertex(patch, ends);
     }
   }
 
-  void number_corners(VertexId vertex, std::span<Leaving> ends) const {
+  static void number_corners(const Patch& patch, VertexId vertex, std::span<Leaving> ends) {
     const auto corner = [](const Leaving& l) { return l.end.corner; };
     std::sort(ends.begin(), ends.end(),
               [&](const Leaving& p, const Leaving& q) { return corner(p) < corner(q); });
     std::uint32_t turn = 0;
-    for_each_around(patch_->brep, patch_->brep.vertex_half_edge[vertex], [&](HalfEdgeId h) {
+    for_each_around(patch.brep, patch.brep.vertex_half_edge[vertex], [&](HalfEdgeId h) {
       auto at = std::partition_point(ends.begin(), ends.end(),
                                      [&](const Leaving& l) { return corner(l) < h; });
       for (; at != ends.end() && corner(*at) == h; ++at) at->turn = turn;
@@ -199,41 +252,32 @@ class Ordering {
     });
   }
 
-  void sort_around_vertex(std::span<Leaving> ends) const {
+  void sort_around_vertex(const Patch& patch, std::span<Leaving> ends) const {
     std::sort(ends.begin(), ends.end(), [&](const Leaving& p, const Leaving& q) {
       if (p.turn != q.turn) return p.turn < q.turn;
       if (p.rank != q.rank || p.rank != 1) return p.rank < q.rank;
       const HalfEdgeId corner = p.end.corner;
-      return before_counter_clockwise(kernel_, patch_->brep.plane_of(corner),
-                                      direction_of(kernel_, *patch_, corner), p.direction,
+      return before_counter_clockwise(kernel_, patch.brep.plane_of(corner),
+                                      direction_of(kernel_, patch, corner), p.direction,
                                       q.direction);
     });
   }
 
-  void sort_within_face(FaceId face, std::span<Leaving> ends) const {
+  void sort_within_face(const Patch& patch, FaceId face, std::span<Leaving> ends) const {
     const Direction start = ends[0].direction;
     std::sort(ends.begin() + 1, ends.end(), [&](const Leaving& p, const Leaving& q) {
-      return before_counter_clockwise(kernel_, patch_->plane(face), start, p.direction,
-                                      q.direction);
+      return before_counter_clockwise(kernel_, patch.plane(face), start, p.direction, q.direction);
     });
   }
 
+  const Given& given_;
   const Workspace& w_;
   const Kernel& kernel_;
-  const Contacts& contacts_;
   const Neighborhoods& n_;
   const CutPlan& plan_;
-  const SiteVertices& vertices_;
   Table<CarrierId, Direction> along_;  // for cut faces
   CutOrder order_;
   std::vector<Leaving> leaving_;
-
-  // Of the sites that are looked at.
-  const Patch* patch_ = nullptr;
-  std::vector<std::pair<VertexId, SiteId>> sites_here_;
-  std::vector<VertexId> vertices_here_;
-  Corners corners_;  // of the vertices here, once somebody asked
-  bool corners_known_ = false;
 };
 
 }  // namespace
@@ -241,7 +285,7 @@ class Ordering {
 CutOrder order_cuts(const Workspace& w, const Contacts& contacts,
                     const Neighborhoods& neighborhoods, const CutPlan& plan,
                     const SitesByPlace& places, const SiteVertices& vertices) {
-  return Ordering(w, contacts, neighborhoods, plan, vertices).run(places);
+  return Ordering({w, contacts, neighborhoods, plan, vertices}).run(places);
 }
 
 }  // namespace sectile

@@ -1,23 +1,25 @@
 #include "boolean/null_edges/null_edges.h"
 
 #include "boolean/check_links.h"
+#include "boolean/collect.h"
 #include "boolean/null_edges/bridging.h"
 #include "boolean/null_edges/cut_order.h"
 #include "boolean/null_edges/subdivision.h"
 #include "boolean/patch_euler.h"
+#include "boolean/side_by_side.h"
 
 namespace sectile {
 namespace {
 
-// Splits each site and attaches the cuts to its null edges.
+// Splits each site of an operand and attaches the cuts to its null edges.
 class SiteSplitter {
  public:
-  SiteSplitter(Workspace& w, const Contacts& contacts, Cuts& cuts)
-      : w_(w), contacts_(contacts), cuts_(cuts) {}
+  SiteSplitter(Patch& patch, const Contacts& contacts, Cuts& cuts,
+               std::vector<NullEdge>& null_edges)
+      : patch_(patch), contacts_(contacts), cuts_(cuts), null_edges_(null_edges) {}
 
   void split(const SplitSite& site, const CutOrder& order) {
     site_ = &site;
-    patch_ = &w_.patch[site.operand];
     if (site.entity.is_face())
       split_face();
     else
@@ -35,7 +37,7 @@ class SiteSplitter {
   // The first null edge is an inner loop of the face, and further ones extend it. Cut 0 faces its
   // twin; the last cut faces the whole chain.
   void split_face() {
-    PatchEuler euler(*patch_);
+    PatchEuler euler(patch_);
     const std::size_t k = cut_count();
     const HalfEdgeId out = euler.mevvr(site_->entity.face(), contacts_.point(site_->place));
     keep(out);
@@ -62,9 +64,9 @@ class SiteSplitter {
     made_.clear();
     for (std::size_t i = 0; i + 1 < k; ++i) {
       const bool moves = corner(i) != corner(k - 1);
-      runs_.push_back(moves ? patch_->brep.around(corner(i)) : HalfEdgeId());
+      runs_.push_back(moves ? patch_.brep.around(corner(i)) : HalfEdgeId());
     }
-    PatchEuler(*patch_).mev_chain(runs_, patch_->brep.around(corner(k - 1)), made_);
+    PatchEuler(patch_).mev_chain(runs_, patch_.brep.around(corner(k - 1)), made_);
     for (std::size_t i = 0; i + 1 < k; ++i) {
       keep(made_[i]);
       attach(i, Brep::twin(made_[i]), Brep::twin(made_[i]));
@@ -72,13 +74,13 @@ class SiteSplitter {
     attach(k - 1, made_.front(), made_.back());
   }
 
-  void keep(HalfEdgeId made) { cuts_.null_edges.push_back({site_->operand, Brep::edge_of(made)}); }
+  void keep(HalfEdgeId made) { null_edges_.push_back({site_->operand, Brep::edge_of(made)}); }
 
-  Workspace& w_;
+  Patch& patch_;
   const Contacts& contacts_;
   Cuts& cuts_;
+  std::vector<NullEdge>& null_edges_;
   const SplitSite* site_ = nullptr;
-  Patch* patch_ = nullptr;
   std::vector<HalfEdgeId> runs_, made_;
 };
 
@@ -114,15 +116,20 @@ Cuts insert_null_edges(Workspace& w, const Contacts& contacts, const Neighborhoo
   const SiteVertices vertices = subdivide_edges(w, contacts, plan);
   check_links(w, "subdivision");
   const SitesByPlace places(plan);
-  Bridges bridges = bridge_touching_corners(w, plan, places, vertices);
+  PerOperand<OperandBridges> bridges = bridge_touching_corners(w, plan, places, vertices);
   const CutOrder order = order_cuts(w, contacts, neighborhoods, plan, places, vertices);
   Cuts cuts = in_order(plan, order);
-  cuts.null_edges = std::move(bridges.null_edges);
-  cuts.bridged = std::move(bridges.faces);
-  SiteSplitter splitter(w, contacts, cuts);
-  for (const SplitSite& site : cuts.sites) {
-    w.check_cancelled();
-    splitter.split(site, order);
+  for_both_operands(cuts.sites.size(), [&](Operand s) {
+    SiteSplitter splitter(w.patch[s], contacts, cuts, bridges[s].null_edges);
+    for (const SplitSite& site : cuts.sites) {
+      if (site.operand != s) continue;
+      w.check_cancelled();
+      splitter.split(site, order);
+    }
+  });
+  for (const Operand s : both_operands) {
+    append(cuts.null_edges, bridges[s].null_edges);
+    cuts.bridged[s] = std::move(bridges[s].faces);
   }
   return cuts;
 }

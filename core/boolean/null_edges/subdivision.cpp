@@ -4,6 +4,7 @@
 
 #include "boolean/line.h"
 #include "boolean/patch_euler.h"
+#include "boolean/side_by_side.h"
 
 namespace sectile {
 namespace {
@@ -13,6 +14,21 @@ class EdgeDivider {
   EdgeDivider(Workspace& w, const Contacts& contacts, const CutPlan& plan, SiteVertices& found)
       : w_(w), kernel_(w.tests()), contacts_(contacts), plan_(plan), found_(found) {}
 
+  // At sites of one operand, ascending by entity.
+  void divide_all(IdRange<SiteId> sites) {
+    for (SiteId from = sites.front(); from != sites.end_id();) {
+      const Entity entity = plan_.sites[from].entity;
+      IdRange<SiteId> same(from, from);
+      while (same.end_id() != sites.end_id() && plan_.sites[same.end_id()].entity == entity)
+        same.extend();
+      if (entity.is_vertex())
+        for (const SiteId s : same) found_[s].vertex = entity.vertex();
+      if (entity.is_edge()) divide(same);
+      from = same.end_id();
+    }
+  }
+
+ private:
   // All sites on one edge.
   void divide(IdRange<SiteId> sites) {
     const Site& any = plan_.sites[sites.front()];
@@ -26,7 +42,6 @@ class EdgeDivider {
     }
   }
 
- private:
   PointId point(SiteId s) const { return contacts_.point(plan_.sites[s].place); }
 
   void sort_along(const Patch& patch, HalfEdgeId h, IdRange<SiteId> sites) {
@@ -54,18 +69,16 @@ class EdgeDivider {
 
 SiteVertices subdivide_edges(Workspace& w, const Contacts& contacts, const CutPlan& plan) {
   SiteVertices found(plan.sites.size());
-  EdgeDivider divider(w, contacts, plan, found);
-  for (SiteId from(0); from != plan.sites.end_id();) {
-    const Site& site = plan.sites[from];
-    IdRange<SiteId> same(from, from);
-    while (plan.sites.has(same.end_id()) && plan.sites[same.end_id()].operand == site.operand &&
-           plan.sites[same.end_id()].entity == site.entity)
-      same.extend();
-    if (site.entity.is_vertex())
-      for (const SiteId s : same) found[s].vertex = site.entity.vertex();
-    if (site.entity.is_edge()) divider.divide(same);
-    from = same.end_id();
-  }
+  const SiteId first_of_b(static_cast<std::uint32_t>(
+      std::partition_point(plan.sites.begin(), plan.sites.end(),
+                           [](const Site& s) { return s.operand == Operand::a; }) -
+      plan.sites.begin()));
+  for_both_operands(plan.sites.size(), [&](Operand s) {
+    const bool a = s == Operand::a;
+    EdgeDivider(w, contacts, plan, found)
+        .divide_all(
+            IdRange<SiteId>(a ? SiteId(0) : first_of_b, a ? first_of_b : plan.sites.end_id()));
+  });
   return found;
 }
 
