@@ -23,8 +23,10 @@ class FlatEdges {
     parallel::loop(
         tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(surface.size()), 1024),
         [&](const auto& range) {
-          for (std::uint32_t t = range.begin(); t < range.end(); ++t)
+          for (std::uint32_t t = range.begin(); t < range.end(); ++t) {
+            if (!surface.flat.empty() && surface.flat[t] == 0) continue;
             for (unsigned k = 0; k < 3; ++k) look_across(t, k);
+          }
         });
   }
 

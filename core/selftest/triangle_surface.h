@@ -29,6 +29,10 @@ struct TriangleSurface {
   std::vector<std::uint8_t> settled;
   /// Per triangle: not there, or without area; not tested. Empty: none is.
   std::vector<std::uint8_t> ignored;
+  /// Per triangle: may it lie in one plane with a neighbour? Empty: each may.
+  std::vector<std::uint8_t> flat;
+  /// Are the triangles in an order in which those near each other have numbers near each other?
+  bool along_curve = false;
 
   /// Is there nothing to be tested about two triangles?
   bool untested(std::uint32_t s, std::uint32_t t) const {

@@ -5,8 +5,7 @@
 #include <limits>
 
 #include "parallel/parallel.h"
-#include "search/morton.h"
-#include "search/radix_sort.h"
+#include "search/curve_order.h"
 
 namespace sectile {
 namespace {
@@ -18,28 +17,23 @@ void for_range(std::size_t count, const Body& body) {
   });
 }
 
-std::vector<Box> triangle_boxes(const TriangleSurface& surface, const Geometry& geometry,
-                                const std::vector<std::uint32_t>& triangles) {
-  std::vector<Box> boxes(triangles.size());
-  for_range(boxes.size(), [&](std::size_t i) {
-    Bounds bounds;
-    for (const PointId p : surface.corners[triangles[i]]) bounds.add(geometry.position(p));
-    boxes[i] = bounds.box();
-  });
-  return boxes;
+Box triangle_box(const TriangleSurface& surface, const Geometry& geometry, std::uint32_t t) {
+  Bounds bounds;
+  for (const PointId p : surface.corners[t]) bounds.add(geometry.position(p));
+  return bounds.box();
 }
 
-std::vector<std::uint32_t> morton_order(const std::vector<Box>& boxes) {
+void sort_along_curve(std::vector<std::uint32_t>& triangles, const TriangleSurface& surface,
+                      const Geometry& geometry) {
+  std::vector<Box> boxes(triangles.size());
+  for_range(boxes.size(),
+            [&](std::size_t i) { boxes[i] = triangle_box(surface, geometry, triangles[i]); });
   Box all;
   for (const Box& b : boxes) all.add(b);
-  const Morton morton(all);
-  std::vector<std::uint64_t> keys(boxes.size());
-  for_range(keys.size(),
-            [&](std::size_t i) { keys[i] = std::uint64_t(morton(boxes[i])) << 32 | i; });
-  sort_by_upper_half(keys, Morton::bits);
-  std::vector<std::uint32_t> order(keys.size());
-  for_range(keys.size(), [&](std::size_t i) { order[i] = static_cast<std::uint32_t>(keys[i]); });
-  return order;
+  const std::vector<std::uint32_t> order =
+      order_along_curve(boxes.size(), all, [&](std::size_t i) { return boxes[i]; });
+  for_range(order.size(),
+            [&, given = triangles](std::size_t i) { triangles[i] = given[order[i]]; });
 }
 
 }  // namespace
@@ -80,15 +74,13 @@ unsigned EightBoxes::overlapping(const Box& box) const {
 
 TriangleTree::TriangleTree(const TriangleSurface& surface, const Geometry& geometry,
                            std::vector<std::uint32_t> triangles) {
-  const std::vector<Box> items = triangle_boxes(surface, geometry, triangles);
-  const std::vector<std::uint32_t> order = morton_order(items);
   order_ = std::move(triangles);
+  if (!surface.along_curve) sort_along_curve(order_, surface, geometry);
   boxes_.emplace_back((order_.size() + 7) / 8);
   for_range(boxes_[0].size(), [&](std::size_t node) {
     for (unsigned i = 0; i < children(0, node); ++i)
-      boxes_[0][node].set(i, items[order[8 * node + i]]);
+      boxes_[0][node].set(i, triangle_box(surface, geometry, order_[8 * node + i]));
   });
-  for_range(order_.size(), [&, given = order_](std::size_t i) { order_[i] = given[order[i]]; });
   while (boxes_.back().size() > 1) {
     const std::size_t level = boxes_.size();
     boxes_.emplace_back((boxes_.back().size() + 7) / 8);

@@ -75,9 +75,11 @@ bool read_mesh(const SoupView& soup, TriangleMesh& mesh) {
 }
 
 // The test against itself needs all planes and all triangles in one structure.
-void refuse_crossings(TriangleMesh& mesh, const ImportOptions& options) {
+void refuse_crossings(TriangleMesh& mesh, const FlatPart& part, const ImportOptions& options) {
   const std::size_t count = mesh.triangle_count();
   TriangleSurface surface;
+  surface.flat = part.holds;
+  surface.along_curve = true;
   surface.corners.resize(count);
   surface.plane.resize(count);
   surface.face.resize(count);
@@ -127,7 +129,7 @@ std::shared_ptr<SolidData> read_triangles(const SoupView& soup, const ImportOpti
   const Kernel kernel(part.geometry);
   pin_flat_edges(part.brep, part.geometry, kernel);
   steps.done(0.2);
-  if (!options.trusted) refuse_crossings(mesh, steps.from_to(0.2, 0.9));
+  if (!options.trusted) refuse_crossings(mesh, part, steps.from_to(0.2, 0.9));
   TriangleBlocks blocks = make_triangle_blocks(mesh, part, origin);
   steps.done(0.95);
   std::shared_ptr<const FacesAsRead> as_read;
