@@ -3,6 +3,9 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <type_traits>
 
 namespace sectile::viewer {
 
@@ -153,13 +156,51 @@ bool checkbox(PanelContext& context, const std::string& name, const char* text, 
   return pressed;
 }
 
-bool slider(PanelContext& context, const std::string& name, double& value, double low, double high,
-            const char* format, float width) {
-  ImGui::SetNextItemWidth(width);
-  const bool moved = ImGui::SliderScalar(("##" + name).c_str(), ImGuiDataType_Double, &value, &low,
-                                         &high, format, ImGuiSliderFlags_AlwaysClamp);
+namespace {
+
+template <class Number>
+std::string written(const SliderText& text, Number value) {
+  std::array<char, 80> room{};
+  std::snprintf(room.data(), room.size(), text.format, value);
+  return room.data();
+}
+
+/// The value that ImGui writes into a slider lies on its grab: it is hidden, except while one is
+/// typed there, and written beside it.
+template <class Number>
+bool slider_of(PanelContext& context, const std::string& name, Number& value, Number low,
+               Number high, const SliderText& text, float width) {
+  constexpr ImGuiDataType type =
+      std::is_same_v<Number, int> ? ImGuiDataType_S32 : ImGuiDataType_Double;
+  const float gap = 7;
+  if (width == 0) width = ImGui::GetContentRegionAvail().x;
+  const std::string label = "##" + name;
+  const bool typing = ImGui::TempInputIsActive(ImGui::GetID(label.c_str()));
+  ImGui::BeginGroup();
+  ImGui::SetNextItemWidth(std::max(40.0f, width - gap - text_width(text.widest)));
+  if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
+  const bool moved = ImGui::SliderScalar(label.c_str(), type, &value, &low, &high, text.format,
+                                         ImGuiSliderFlags_AlwaysClamp);
+  if (!typing) ImGui::PopStyleColor();
   context.widgets.record_item(name);
+  ImGui::SameLine(0, gap);
+  const std::string beside = written(text, value);
+  ImGui::TextUnformatted(beside.c_str());
+  context.widgets.record_text(beside);
+  ImGui::EndGroup();
   return moved;
+}
+
+}  // namespace
+
+bool slider(PanelContext& context, const std::string& name, double& value, double low, double high,
+            const SliderText& text, float width) {
+  return slider_of(context, name, value, low, high, text, width);
+}
+
+bool slider(PanelContext& context, const std::string& name, int& value, int low, int high,
+            const SliderText& text, float width) {
+  return slider_of(context, name, value, low, high, text, width);
 }
 
 }  // namespace sectile::viewer

@@ -42,9 +42,18 @@ void command_button(PanelContext& context, std::string_view command, bool with_t
 void command_item(PanelContext& context, std::string_view command);
 bool checkbox(PanelContext& context, const std::string& name, const char* text, bool& value,
               const std::string& help = {});
-/// A slider that fills the rest of the line.
+
+/// How a slider's value is written beside it; the room is that of the widest one, so that the
+/// slider keeps its length.
+struct SliderText {
+  const char* format;
+  std::string widest;
+};
+/// Of a width with its text; 0: fills the rest of the line.
 bool slider(PanelContext& context, const std::string& name, double& value, double low, double high,
-            const char* format, float width = -1);
+            const SliderText& text, float width = 0);
+bool slider(PanelContext& context, const std::string& name, int& value, int low, int high,
+            const SliderText& text, float width = 0);
 
 /// Of the last item, when the mouse has rested on it for a moment.
 void tooltip(const std::string& text);

@@ -158,22 +158,22 @@ void draw_controls(PanelContext& context, const Story& story, std::size_t step) 
   ImGui::SameLine(0, 8);
   const std::size_t last = story.steps().size() - 1;
   int at = static_cast<int>(step) + 1;
-  const bool wide = context.layout.time_line.width >= 1200;
+  const std::string of_all = " of " + std::to_string(last + 1);
+  const std::string format = "step %d" + of_all;
+  const float speed = 176, exploded = 172;
   // What stands to the right of the step slider.
-  const float rest = 118 + 142 + 128 + (wide ? 60.0f : 0.0f) + 4 * 8;
-  ImGui::SetNextItemWidth(std::max(80.0f, ImGui::GetContentRegionAvail().x - rest));
-  const std::string format = "step %d of " + std::to_string(last + 1);
-  if (ImGui::SliderInt("##steps.slider", &at, 1, static_cast<int>(last) + 1, format.c_str(),
-                       ImGuiSliderFlags_AlwaysClamp))
+  const float rest = speed + exploded + 128 + 3 * 8;
+  if (slider(context, "steps.slider", at, 1, static_cast<int>(last) + 1,
+             {format.c_str(), "step " + std::to_string(last + 1) + of_all},
+             ImGui::GetContentRegionAvail().x - rest))
     session.results.player.go_to(static_cast<std::size_t>(at - 1));
-  context.widgets.record_item("steps.slider");
   ImGui::SameLine(0, 8);
-  slider(context, "steps.speed", session.results.player.steps_per_second, 0.5, 20, "%.1f steps/s",
-         118 + (wide ? 30.0f : 0.0f));
+  slider(context, "steps.speed", session.results.player.steps_per_second, 0.5, 20,
+         {"%.1f steps/s", "20.0 steps/s"}, speed);
   tooltip("How fast the steps play");
   ImGui::SameLine(0, 8);
-  slider(context, "view.exploded", session.view.exploded, 0, 1, "explode %.2f",
-         120 + (wide ? 30.0f : 0.0f));
+  slider(context, "view.exploded", session.view.exploded, 0, 1, {"explode %.2f", "explode 0.88"},
+         exploded);
   tooltip("Pulls the parts, and the two ends of each null edge, apart");
   ImGui::SameLine(0, 8);
   draw_break_points(context);

@@ -51,7 +51,7 @@ void draw_section(PanelContext& context) {
   const double reach =
       view.section_oblique ? bounds.radius() : 0.5 * (bounds.high - bounds.low)[view.section_axis];
   slider(context, "view.section.place", view.section_place, middle - reach - 0.1,
-         middle + reach + 0.1, "at %.3g");
+         middle + reach + 0.1, {"at %.3g", "at -0.00888"});
   ImGui::EndDisabled();
   if (button(context, "view.section.tool", "Place it in the picture\u2026",
              "Drag it, tilt it, put it onto a face", true, -1))
@@ -77,7 +77,7 @@ void draw_view_panel(PanelContext& context) {
   draw_section(context);
   ImGui::Separator();
   ImGui::TextDisabled("Exploded view (steps)");
-  slider(context, "view.panel.exploded", view.exploded, 0, 1, "%.2f");
+  slider(context, "view.panel.exploded", view.exploded, 0, 1, {"%.2f", "0.88"});
   ImGui::Separator();
   const float second = ImGui::GetContentRegionAvail().x * 0.52f;
   checkbox(context, "view.labels", "Labels", view.labels, "Names vertices in the picture (T)");
