@@ -39,17 +39,37 @@ class Easel {
   Renderer renderer_{*context_};
 };
 
-// Close enough to see the step, with some of what is around it.
+bool shows_all(const Camera& camera, const Bounds& bounds) {
+  constexpr double margin = 0.02;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 at = camera.project(
+        {corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
+         corner & 4 ? bounds.high.z : bounds.low.z},
+        {width, height});
+    if (at.x < margin * width || at.x > (1 - margin) * width || at.y < margin * height ||
+        at.y > (1 - margin) * height)
+      return false;
+  }
+  return true;
+}
+
+// As close to the step as shows all of what is around it.
 Camera camera_for(const Story& story, const Picture& picture, std::optional<std::size_t> step) {
-  Camera camera;
   const double aspect = double{width} / height;
-  camera.look_at(picture.bounds(), aspect);
-  if (!step) return camera;
-  Camera close = camera;
+  const Bounds all = picture.bounds();
+  Camera whole;
+  whole.look_at(all, aspect);
+  if (!step) return whole;
+  Camera close = whole;
   close.look_at(story.place_of(*step), aspect);
-  camera.target = glm::mix(camera.target, close.target, 0.6);
-  camera.distance = std::max(close.distance, 0.72 * camera.distance);
-  return camera;
+  for (double nearness = 1; nearness > 0; nearness -= 0.02)
+    for (double aside = 0.6; aside >= 0; aside -= 0.05) {
+      Camera camera = whole;
+      camera.target = glm::mix(whole.target, close.target, aside);
+      camera.distance = glm::mix(whole.distance, 0.6 * whole.distance, nearness);
+      if (shows_all(camera, all)) return camera;
+    }
+  return whole;
 }
 
 // Those that would lie on another are moved down.
