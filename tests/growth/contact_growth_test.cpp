@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "growth/steps.h"
+#include "needles.h"
 #include "sectile/boolean.h"
 #include "sectile/primitives.h"
 #include "sectile/solid.h"
@@ -147,37 +148,10 @@ TEST(Growth, SmallTetrahedraInASlantedOne) {
 }
 
 // Prisms that are twisted one way and the other, one in the other: all boxes overlap, no faces.
-Solid needles(std::size_t n, double radius, double twist) {
-  const auto sides = static_cast<std::uint32_t>(n);
-  PolygonMesh mesh;
-  for (const double z : {-1.0, 1.0})
-    for (std::uint32_t i = 0; i < sides; ++i) {
-      const double angle = 2 * std::numbers::pi * i / sides + z * twist / 2;
-      mesh.positions.push_back({radius * std::cos(angle), radius * std::sin(angle), z * radius});
-    }
-  const auto add = [&](std::initializer_list<std::uint32_t> corners) {
-    mesh.face_sizes.push_back(static_cast<std::uint32_t>(corners.size()));
-    mesh.indices.insert(mesh.indices.end(), corners);
-  };
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    const std::uint32_t j = (i + 1) % sides;
-    add({i, j, sides + i});
-    add({j, sides + j, sides + i});
-  }
-  for (const bool top : {false, true}) {
-    mesh.face_sizes.push_back(sides);
-    for (std::uint32_t i = 0; i < sides; ++i)
-      mesh.indices.push_back(top ? sides + i : sides - 1 - i);
-  }
-  ImportOptions options;
-  options.trusted = true;
-  return Solid::from_mesh(mesh, options);
-}
-
 TEST(Growth, NeedlesBesideNeedles) {
   EXPECT_LT(growth(
                 [](std::size_t n) {
-                  return unite({needles(n, 1, 2), needles(n, 0.9, -2)});
+                  return unite({test::needles(n, 1, 1, 2), test::needles(n, 0.9, 0.9, -2)});
                 },
                 500),
             n_log_n);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "needles.h"
 #include "sectile/boolean.h"
 #include "sectile/validate.h"
 #include "storage/cut_into_blocks.h"
@@ -15,33 +16,6 @@
 
 namespace sectile {
 namespace {
-
-// A twisted prism of so many sides: needles from end to end.
-Solid needles(std::uint32_t sides, double radius, double twist) {
-  PolygonMesh mesh;
-  for (const double z : {-1.0, 1.0})
-    for (std::uint32_t i = 0; i < sides; ++i) {
-      const double angle = 2 * std::numbers::pi * i / sides + z * twist / 2;
-      mesh.positions.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
-    }
-  const auto add = [&](std::initializer_list<std::uint32_t> corners) {
-    mesh.face_sizes.push_back(static_cast<std::uint32_t>(corners.size()));
-    mesh.indices.insert(mesh.indices.end(), corners);
-  };
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    const std::uint32_t j = (i + 1) % sides;
-    add({i, j, sides + i});
-    add({j, sides + j, sides + i});
-  }
-  for (const bool top : {false, true}) {
-    mesh.face_sizes.push_back(sides);
-    for (std::uint32_t i = 0; i < sides; ++i)
-      mesh.indices.push_back(top ? sides + i : sides - 1 - i);
-  }
-  ImportOptions options;
-  options.trusted = true;
-  return Solid::from_mesh(mesh, options);
-}
 
 struct Counts {
   std::size_t boxes = 0, faces = 0;
@@ -64,7 +38,7 @@ Counts pairs(const Solid& a, const Solid& b) {
 
 TEST(NearFaces, NeedlesBesideEachOtherAreApart) {
   if (most_faces_of_a_block < 64) GTEST_SKIP() << "faces of so small blocks are all tested exactly";
-  const Counts found = pairs(needles(400, 1, 2), needles(300, 0.9, -2));
+  const Counts found = pairs(test::needles(400, 1, 1, 2), test::needles(300, 0.9, 1, -2));
   EXPECT_GT(found.boxes, 100'000u);
   EXPECT_LT(found.faces, 2'000u);  // the flat ends and what is next to them
 }
@@ -88,7 +62,7 @@ double winding(const PolygonMesh& mesh, const Vec3& around) {
 }
 
 TEST(NearFaces, NoPairThatMeetsIsLost) {
-  const Solid a = needles(30, 1, 2), b = needles(25, 1, -2);
+  const Solid a = test::needles(30, 1, 1, 2), b = test::needles(25, 1, 1, -2);
   const PolygonMesh mesh_a = a.to_mesh(), mesh_b = b.to_mesh();
   const Solid both = boolean(a, b, Operation::unite), inner = boolean(a, b, Operation::intersect);
   EXPECT_TRUE(validate(both).empty());

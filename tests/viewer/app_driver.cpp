@@ -186,6 +186,22 @@ void AppDriver::type(const std::string& text) {
   settle(2);
 }
 
+void AppDriver::type_file(const std::filesystem::path& file) {
+  press("browser.name");
+  key('A', true);
+  type(file.string());
+}
+
+void AppDriver::enter_file(const std::filesystem::path& file) {
+  type_file(file);
+  key(Key::enter);
+}
+
+void AppDriver::accept_file(const std::filesystem::path& file) {
+  type_file(file);
+  press("browser.accept");
+}
+
 void AppDriver::drop(const std::filesystem::path& file) {
   Event event;
   event.kind = Event::Kind::drop;

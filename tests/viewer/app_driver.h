@@ -50,6 +50,9 @@ class AppDriver {
   /// Double clicks a field of numbers, types and ends with a key.
   void enter(const std::string& field, const std::string& text, Key end = Key::enter);
   void drop(const std::filesystem::path& file);
+  // Names a file in the dialog that is open, ended by Enter or by the dialog's button.
+  void enter_file(const std::filesystem::path& file);
+  void accept_file(const std::filesystem::path& file);
   void add(const std::string& shape);  ///< by the tool bar
   /// Opens a sample and changes to the steps of its operation. Throws std::runtime_error if they
   /// are not there at once, so only where every frame waits for results.
@@ -60,6 +63,7 @@ class AppDriver {
 
  private:
   void send(std::initializer_list<Event> events);
+  void type_file(const std::filesystem::path& file);
   std::unique_ptr<GraphicsContext> context_;
   std::unique_ptr<App> app_;
 };

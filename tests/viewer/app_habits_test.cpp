@@ -69,10 +69,7 @@ TEST(Groups, AreNotEmptyAndExportedWhole) {
   ASSERT_EQ(shapes.size(), 2u);
   for (const Shape& shape : shapes) EXPECT_TRUE(shape.surface.highlighted);
   driver.key('E', true);
-  driver.press("browser.name");
-  driver.key('A', true);
-  driver.type((folder / "group.obj").string());
-  driver.press("browser.accept");
+  driver.accept_file(folder / "group.obj");
   ASSERT_TRUE(fs::exists(folder / "group.obj")) << driver.app().last_message();
   EXPECT_EQ(Solid::from_mesh(read_mesh(folder / "group.obj")).volume(), 12);
 }
@@ -336,10 +333,7 @@ TEST(Quit, AsksForASceneThatWasEmptied) {
   AppDriver driver;
   driver.add("block");
   driver.key('S', true);
-  driver.press("browser.name");
-  driver.key('A', true);
-  driver.type((folder / "kept.sectile").string());
-  driver.press("browser.accept");
+  driver.accept_file(folder / "kept.sectile");
   ASSERT_FALSE(driver.session().document.is_changed()) << driver.app().last_message();
   driver.key('A', true);
   driver.key(Key::del);
@@ -356,10 +350,7 @@ TEST(Title, NamesTheFileAndMarksChanges) {
   driver.add("block");
   EXPECT_EQ(driver.app().title(), "*unnamed \u2013 Sectile");
   driver.key('S', true);
-  driver.press("browser.name");
-  driver.key('A', true);
-  driver.type((folder / "part.sectile").string());
-  driver.press("browser.accept");
+  driver.accept_file(folder / "part.sectile");
   EXPECT_EQ(driver.app().title(), "part.sectile \u2013 Sectile");
 }
 
@@ -372,10 +363,7 @@ TEST(FileBrowserFolder, IsRememberedByTheNextSession) {
     AppDriver driver(options);
     driver.add("block");
     driver.key('S', true);
-    driver.press("browser.name");
-    driver.key('A', true);
-    driver.type((folder / "models" / "part.sectile").string());
-    driver.press("browser.accept");
+    driver.accept_file(folder / "models" / "part.sectile");
   }
   AppDriver driver(options);
   driver.key('O', true);

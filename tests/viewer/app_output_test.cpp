@@ -133,20 +133,14 @@ TEST(AppOutput, EachSolidIntoAFileOfItsOwn) {
   driver.key('H');  // what is hidden stays here
   driver.key('E', true, true);
   ASSERT_TRUE(driver.app().has_widget("panel.browser"));
-  driver.press("browser.name");
-  driver.key('A', true);
-  driver.type((folder() / "parts.off").string());
-  driver.key(Key::enter);
+  driver.enter_file(folder() / "parts.off");
   driver.settle(5);
   EXPECT_TRUE(fs::exists(folder() / "parts-Block.off"));
   EXPECT_TRUE(fs::exists(folder() / "parts-Cylinder.off"));
   EXPECT_FALSE(fs::exists(folder() / "parts-Wedge.off"));
   EXPECT_EQ(Solid::from_mesh(read_mesh(folder() / "parts-Block.off")).volume(), 8);
   driver.key('E', true, true);
-  driver.press("browser.name");
-  driver.key('A', true);
-  driver.type((folder() / "all.3mf").string());
-  driver.key(Key::enter);
+  driver.enter_file(folder() / "all.3mf");
   driver.settle(5);
   const Model model = read_model(folder() / "all.3mf");
   ASSERT_EQ(model.meshes.size(), 2u);
@@ -162,10 +156,7 @@ TEST(Export, GroupsAreOneSolidOfThe3mfAndNothingIsLeftOutInSilence) {
   driver.key('G', true);
   driver.add("cylinder");
   driver.key('E', true, true);
-  driver.press("browser.name");
-  driver.key('A', true);
-  driver.type((folder() / "all.3mf").string());
-  driver.key(Key::enter);
+  driver.enter_file(folder() / "all.3mf");
   driver.settle(5);
   const Model model = read_model(folder() / "all.3mf");
   ASSERT_EQ(model.meshes.size(), 2u);
@@ -182,10 +173,7 @@ TEST(ThreeMf, SolidsComeInAsPartsWithNamesAndColoursAndGoOutWithThem) {
   write_model(in, model);
   AppDriver driver;
   driver.key('O', true);
-  driver.press("browser.name");
-  driver.key('A', true);
-  driver.type(in.string());
-  driver.key(Key::enter);
+  driver.enter_file(in);
   driver.settle(5);
   ASSERT_EQ(driver.scene().roots().size(), 3u) << driver.app().last_message();
   EXPECT_EQ(driver.session().selection().size(), 3u);
@@ -196,10 +184,7 @@ TEST(ThreeMf, SolidsComeInAsPartsWithNamesAndColoursAndGoOutWithThem) {
   EXPECT_EQ(node(0).colour, (NodeColour{200 / 255.0f, 10 / 255.0f, 30 / 255.0f}));
   EXPECT_FALSE(node(1).colour);
   driver.key('E', true, true);
-  driver.press("browser.name");
-  driver.key('A', true);
-  driver.type(out.string());
-  driver.key(Key::enter);
+  driver.enter_file(out);
   driver.settle(5);
   const Model back = read_model(out);
   ASSERT_EQ(back.meshes.size(), 3u);
@@ -231,10 +216,7 @@ TEST(ThreeMf, OneSolidIsNoPlural) {
   const fs::path out = folder() / "one.3mf";
   fs::remove(out);
   driver.key('E', true, true);
-  driver.press("browser.name");
-  driver.key('A', true);
-  driver.type(out.string());
-  driver.key(Key::enter);
+  driver.enter_file(out);
   driver.settle(5);
   EXPECT_EQ(driver.app().last_message(), "1 solid exported to one.3mf.");
 }
@@ -254,10 +236,7 @@ TEST(AppOutput, RecentFilesOutliveTheSession) {
     AppDriver driver(options);
     driver.add("block");
     driver.key('S', true);
-    driver.press("browser.name");
-    driver.key('A', true);
-    driver.type(file.string());
-    driver.key(Key::enter);
+    driver.enter_file(file);
     ASSERT_TRUE(fs::exists(file));
   }
   AppDriver driver(options);

@@ -268,10 +268,7 @@ TEST_F(Repairing, ABadFileOfTheDialogOpensThePanelToo) {
     return both(mesh, Solid::from_mesh(cube({0.5, 0.5, 0.5}, 1.5)).to_mesh());
   }());
   driver.key('I', true);
-  driver.press("browser.name");
-  driver.key('A', true);
-  driver.type(bad.string());
-  driver.press("browser.accept");
+  driver.accept_file(bad);
   EXPECT_TRUE(driver.app().has_widget("panel.repair"));
 }
 

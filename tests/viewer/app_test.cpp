@@ -151,10 +151,7 @@ TEST(App, SavesAndOpensAgain) {
   const std::filesystem::path path = file("scene.sectile");
   std::filesystem::remove(path);
   driver.key('S', true);
-  driver.press("browser.name");
-  driver.key('A', true);
-  driver.type(path.string());
-  driver.press("browser.accept");
+  driver.accept_file(path);
   ASSERT_TRUE(std::filesystem::exists(path)) << driver.app().last_message();
   const Scene saved = driver.scene();
   AppDriver second;
@@ -181,10 +178,7 @@ TEST(App, ExportsTheResult) {
   AppDriver driver;
   combine_two_blocks(driver, 'U');
   driver.key('E', true);
-  driver.press("browser.name");
-  driver.key('A', true);
-  driver.type(path.string());
-  driver.key(Key::enter);
+  driver.enter_file(path);
   ASSERT_TRUE(std::filesystem::exists(path)) << driver.app().last_message();
   EXPECT_EQ(Solid::from_mesh(read_mesh(path)).volume(), 12);
 }

@@ -167,10 +167,7 @@ TEST(AppWork, ExportsTheSelectedSolid) {
   driver.add("block");
   const auto export_as = [&](const std::string& name) {
     driver.key('E', true);
-    driver.press("browser.name");
-    driver.key('A', true);
-    driver.type((folder() / name).string());
-    driver.press("browser.accept");
+    driver.accept_file(folder() / name);
   };
   driver.key('A', true);
   export_as("both.obj");

@@ -11,6 +11,12 @@ namespace sectile::viewer {
 void require_length(double length, const char* what);
 void require_faces(std::uint64_t count);
 
+/// The corner of a box around the origin that lies farthest along all axes; checks its lengths.
+Vec3 high_corner(const Primitive& primitive);
+/// Of what stands on a regular polygon.
+void check_sides_and_height(const Primitive& primitive);
+void begin_with_six_sides(Primitive& primitive);
+
 /// What the library makes standing on z = 0.
 Solid centred(const Solid& standing, double height);
 

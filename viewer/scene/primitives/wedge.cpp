@@ -6,10 +6,7 @@ namespace {
 constexpr PrimitiveField fields[] = {size_field};
 
 Solid solid(const Primitive& p) {
-  require_length(p.size.x, "size along x");
-  require_length(p.size.y, "size along y");
-  require_length(p.size.z, "size along z");
-  const Vec3 high{p.size.x / 2, p.size.y / 2, p.size.z / 2};
+  const Vec3 high = high_corner(p);
   return wedge({-high.x, -high.y, -high.z}, high);
 }
 
