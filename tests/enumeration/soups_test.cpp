@@ -4,6 +4,7 @@
 // counted.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 
