@@ -181,9 +181,9 @@ class Collector {
     DisjointSets sets(pieces);
     for (std::uint32_t s = 0; s < slots_.size(); ++s) {
       if (slots_[s].empty() || !slots_[s].links) continue;
-      for (const BorderLinks::Neighbour& n : slots_[s].links->neighbours())
-        sets.unite(first[s] + n.own_piece,
-                   first[s + static_cast<std::uint32_t>(n.slots)] + n.piece);
+      for (std::uint32_t p = 0; p < slots_[s].block->pieces().count; ++p)
+        for (const BorderLinks::Neighbour& n : slots_[s].links->neighbours(p))
+          sets.unite(first[s] + p, first[s + static_cast<std::uint32_t>(n.slots)] + n.piece);
     }
     for (std::uint32_t p = 1; p < pieces; ++p)
       if (sets.first(p) != 0) return false;

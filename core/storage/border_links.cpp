@@ -1,43 +1,58 @@
 #include "storage/border_links.h"
 
 #include <algorithm>
-#include <compare>
 #include <utility>
 
 namespace sectile {
 
 namespace {
 
+// Two numbers for four, as most of the time goes into comparing them.
 struct Entry {
-  std::int32_t slots;
-  std::uint32_t own_piece, piece, border;
+  std::uint64_t own_piece_and_slots, piece_and_border;
 
+  Entry(std::uint32_t own_piece, const BorderLink& link, std::uint32_t border)
+      : own_piece_and_slots(std::uint64_t(own_piece) << 32 |
+                            static_cast<std::uint32_t>(link.slots)),
+        piece_and_border(std::uint64_t(link.piece) << 32 | border) {}
+
+  std::uint32_t own_piece() const { return static_cast<std::uint32_t>(own_piece_and_slots >> 32); }
+  std::uint32_t border() const { return static_cast<std::uint32_t>(piece_and_border); }
   bool same_neighbour(const Entry& other) const {
-    return slots == other.slots && own_piece == other.own_piece && piece == other.piece;
+    return own_piece_and_slots == other.own_piece_and_slots &&
+           piece_and_border >> 32 == other.piece_and_border >> 32;
   }
-  friend auto operator<=>(const Entry&, const Entry&) = default;
+  friend bool operator<(const Entry& a, const Entry& b) {
+    return a.own_piece_and_slots != b.own_piece_and_slots
+               ? a.own_piece_and_slots < b.own_piece_and_slots
+               : a.piece_and_border < b.piece_and_border;
+  }
 };
 
 }  // namespace
 
 BorderLinks::BorderLinks(const Block& block, std::vector<BorderLink> links)
     : links_(std::move(links)) {
+  const Pieces& pieces = block.pieces();
   std::vector<Entry> entries;
   entries.reserve(links_.size());
   for (std::uint32_t border = 0; border < links_.size(); ++border) {
     const FaceId face = block.brep.face_of(Brep::half_edge(EdgeId(border)));
-    const BorderLink& link = links_[border];
-    entries.push_back({link.slots, block.pieces().of_face[face.value()], link.piece, border});
+    entries.emplace_back(pieces.of_face[face.value()], links_[border], border);
   }
   std::sort(entries.begin(), entries.end());
   by_neighbour_.reserve(entries.size());
+  first_.reserve(pieces.count + 1);
   for (std::uint32_t i = 0; i < entries.size(); ++i) {
     const Entry& e = entries[i];
-    by_neighbour_.push_back(e.border);
+    const BorderLink& link = links_[e.border()];
+    by_neighbour_.push_back(e.border());
+    first_.resize(e.own_piece() + 1, static_cast<std::uint32_t>(neighbours_.size()));
     if (i == 0 || !e.same_neighbour(entries[i - 1]))
-      neighbours_.push_back({e.slots, e.own_piece, e.piece, i, i});
+      neighbours_.push_back({link.slots, link.piece, i, i});
     ++neighbours_.back().last;
   }
+  first_.resize(pieces.count + 1, static_cast<std::uint32_t>(neighbours_.size()));
 }
 
 }  // namespace sectile

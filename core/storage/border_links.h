@@ -27,17 +27,22 @@ class BorderLinks {
   /// A piece of a neighbouring block, with the border edges that lead to it from one of the own.
   struct Neighbour {
     std::int32_t slots;
-    std::uint32_t own_piece, piece;
+    std::uint32_t piece;
     std::uint32_t first, last;
   };
-  std::span<const Neighbour> neighbours() const { return neighbours_; }
+  /// Those of one of the block's pieces.
+  std::span<const Neighbour> neighbours(std::uint32_t own_piece) const {
+    return std::span(neighbours_)
+        .subspan(first_[own_piece], first_[own_piece + 1] - first_[own_piece]);
+  }
   std::span<const std::uint32_t> borders(const Neighbour& n) const {
     return std::span(by_neighbour_).subspan(n.first, n.last - n.first);
   }
 
  private:
-  std::vector<BorderLink> links_;
+  std::vector<std::uint32_t> first_;  // per piece: its first neighbour; and the end
   std::vector<Neighbour> neighbours_;
+  std::vector<BorderLink> links_;
   std::vector<std::uint32_t> by_neighbour_;
 };
 

@@ -1,7 +1,5 @@
 #include "storage/solid_data.h"
 
-#include <algorithm>
-
 #include "sectile/errors.h"
 #include "storage/cut_into_blocks.h"
 #include "storage/join_blocks.h"
@@ -31,9 +29,11 @@ void SolidData::cut() {
 void SolidData::number_pages() {
   base_.clear();
   page_slot_.clear();
+  face_count_ = 0;
   for (std::uint32_t s = 0; s < slots_.size(); ++s) {
     base_.push_back(static_cast<std::uint32_t>(page_slot_.size() << page_bits));
     const std::size_t numbers = slots_[s].empty() ? 0 : slots_[s].block->brep.half_edge_count();
+    if (!slots_[s].empty()) face_count_ += slots_[s].block->brep.face_count();
     page_slot_.resize(page_slot_.size() + (numbers >> page_bits) + 1, s);
   }
   if (page_slot_.size() >= std::size_t(1) << (30 - page_bits))
@@ -60,18 +60,6 @@ const SolidData& SolidData::in_one_block() const {
     in_one_block_ = std::move(made);
   });
   return *in_one_block_;
-}
-
-bool SolidData::empty() const {
-  return std::all_of(slots_.begin(), slots_.end(),
-                     [](const Slot& s) { return s.empty() || s.block->brep.face_count() == 0; });
-}
-
-std::size_t SolidData::face_count() const {
-  std::size_t count = 0;
-  for (const Slot& s : slots_)
-    if (!s.empty()) count += s.block->brep.face_count();
-  return count;
 }
 
 const BoxTree& SolidData::slot_tree() const {

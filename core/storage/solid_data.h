@@ -102,8 +102,8 @@ class SolidData {
     const BorderLink& link = s.links->all()[local.value() / 2];
     return {slot + static_cast<std::uint32_t>(link.slots), HalfEdgeId(2 * link.border)};
   }
-  std::size_t face_count() const;
-  bool empty() const;
+  std::size_t face_count() const { return making_ ? making_->brep.face_count() : face_count_; }
+  bool empty() const { return face_count() == 0; }
 
   /// A hierarchy over the slots that are not empty; its items are indices in `slots_in_tree`.
   const BoxTree& slot_tree() const;
@@ -127,6 +127,7 @@ class SolidData {
 
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> base_, page_slot_;
+  std::size_t face_count_ = 0;
   std::shared_ptr<Block> making_;
   bool may_touch_itself_ = true;
 

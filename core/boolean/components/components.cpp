@@ -63,13 +63,13 @@ class Labelling {
     return true;
   }
   void set_loaded(FaceId f, std::uint8_t label) {
-    if (set(loaded_[f], label)) stack_.push_back({loaded_slot, f.value()});
+    if (set(loaded_[f], label)) pending_.push_back({loaded_slot, f.value()});
   }
   void set_rest(std::uint32_t s, FaceId local, std::uint8_t label) {
     set_member(s, rest_.member(s, local), label);
   }
   void set_member(std::uint32_t s, std::uint32_t member, std::uint8_t label) {
-    if (set(rest_.of_member(s, member), label)) stack_.push_back({s, member});
+    if (set(rest_.of_member(s, member), label)) pending_.push_back({s, member});
   }
 
   void seed_from_segments(const Neighborhoods& n, const JoinedCuts& joined) {
@@ -86,9 +86,9 @@ class Labelling {
   }
 
   void spread() {
-    while (!stack_.empty()) {
-      const Pending next = stack_.back();
-      stack_.pop_back();
+    for (std::size_t i = 0; i < pending_.size(); ++i) {
+      const Pending next = pending_[i];
+      look_ahead(i);
       if (next.slot == loaded_slot)
         spread_loaded(FaceId(next.member));
       else if (rest_.is_touched(next.slot))
@@ -96,6 +96,14 @@ class Labelling {
       else
         spread_piece(next.slot, next.member);
     }
+    pending_.clear();
+  }
+
+  // The blocks of a large solid lie all over the memory: what is next in turn is fetched meanwhile.
+  void look_ahead(std::size_t i) const {
+    constexpr std::size_t far = 8;
+    if (i + far < pending_.size() && pending_[i + far].slot != loaded_slot)
+      __builtin_prefetch(slot(pending_[i + far].slot).links.get());
   }
 
   void spread_loaded(FaceId face) {
@@ -133,8 +141,7 @@ class Labelling {
     const std::uint8_t label = rest_.of_member(s, piece);
     if (!slot(s).links) return;
     const BorderLinks& links = *slot(s).links;
-    for (const BorderLinks::Neighbour& n : links.neighbours()) {
-      if (n.own_piece != piece) continue;
+    for (const BorderLinks::Neighbour& n : links.neighbours(piece)) {
       const std::uint32_t t = s + static_cast<std::uint32_t>(n.slots);
       if (!rest_.is_touched(t))
         set_member(t, n.piece, label);
@@ -169,9 +176,25 @@ class Labelling {
       spread();
     }
     if (rest_.empty()) return;
-    for (std::uint32_t s = 0; s < solid().slots().size(); ++s)
+    for (std::uint32_t s = 0; s < solid().slots().size(); ++s) {
       for (std::uint32_t m = 0; m < rest_.count(s); ++m)
-        if (rest_.of_member(s, m) == unknown) settle_by_ray(s, m);
+        if (rest_.of_member(s, m) == unknown) settle(s, m);
+    }
+  }
+
+  void settle(std::uint32_t s, std::uint32_t member) {
+    if (is_far(slot(s)))
+      set_member(s, member, label_(operand_, Class::out));
+    else
+      settle_by_ray(s, member);
+    spread();
+  }
+
+  // Most shells are nowhere near the other solid.
+  bool is_far(const Slot& slot) const {
+    const Patch& across = w_.patch[other(operand_)];
+    return !across.unbounded && !across.solid->slot_tree().empty() &&
+           !across.solid->slot_tree().bounds().overlaps(slot.block->bounds());
   }
 
   void settle_by_ray(std::uint32_t s, std::uint32_t member) {
@@ -185,7 +208,6 @@ class Labelling {
     const PointId p = load_point(slot(s).block->geometry, brep.point_of(brep.from(h)), w_.geometry);
     w_.kernel->refresh();
     set_rest(s, f, label_of(p));
-    spread();
   }
 
   std::uint8_t label_of(PointId p) {
@@ -207,7 +229,7 @@ class Labelling {
   Table<FaceId, std::uint8_t>& loaded_;
   RestLabels& rest_;
   IdMap open_ends_;
-  std::vector<Pending> stack_;
+  std::vector<Pending> pending_;  // those before the present one have spread
 };
 
 }  // namespace
