@@ -63,13 +63,13 @@ class Labelling {
     return true;
   }
   void set_loaded(FaceId f, std::uint8_t label) {
-    if (set(loaded_[f], label)) pending_.push_back({loaded_slot, f.value()});
+    if (set(loaded_[f], label)) stack_.push_back({loaded_slot, f.value()});
   }
   void set_rest(std::uint32_t s, FaceId local, std::uint8_t label) {
     set_member(s, rest_.member(s, local), label);
   }
   void set_member(std::uint32_t s, std::uint32_t member, std::uint8_t label) {
-    if (set(rest_.of_member(s, member), label)) pending_.push_back({s, member});
+    if (set(rest_.of_member(s, member), label)) stack_.push_back({s, member});
   }
 
   void seed_from_segments(const Neighborhoods& n, const JoinedCuts& joined) {
@@ -86,9 +86,9 @@ class Labelling {
   }
 
   void spread() {
-    for (std::size_t i = 0; i < pending_.size(); ++i) {
-      const Pending next = pending_[i];
-      look_ahead(i);
+    while (!stack_.empty()) {
+      const Pending next = stack_.back();
+      stack_.pop_back();
       if (next.slot == loaded_slot)
         spread_loaded(FaceId(next.member));
       else if (rest_.is_touched(next.slot))
@@ -96,14 +96,6 @@ class Labelling {
       else
         spread_piece(next.slot, next.member);
     }
-    pending_.clear();
-  }
-
-  // The blocks of a large solid lie all over the memory: what is next in turn is fetched meanwhile.
-  void look_ahead(std::size_t i) const {
-    constexpr std::size_t far = 8;
-    if (i + far < pending_.size() && pending_[i + far].slot != loaded_slot)
-      __builtin_prefetch(slot(pending_[i + far].slot).links.get());
   }
 
   void spread_loaded(FaceId face) {
@@ -229,7 +221,7 @@ class Labelling {
   Table<FaceId, std::uint8_t>& loaded_;
   RestLabels& rest_;
   IdMap open_ends_;
-  std::vector<Pending> pending_;  // those before the present one have spread
+  std::vector<Pending> stack_;
 };
 
 }  // namespace
