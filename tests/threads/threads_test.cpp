@@ -48,6 +48,19 @@ TEST(Threads, OneBooleanOverManyThreads) {
   EXPECT_EQ(one.to_mesh().indices, many.to_mesh().indices);
 }
 
+// So many contacts that each phase is divided.
+TEST(Threads, NearlyEqualSolidsOverManyThreads) {
+  SECTILE_NEEDS_WORKERS;
+  const Solid a = sphere(1, 80, 40), b = transformed(a, Transform::rotation_degrees({1, 2, 3}, 0.06));
+  for (const Operation operation : {Operation::unite, Operation::subtract}) {
+    Solid one, many;
+    tbb::task_arena(1).execute([&] { one = boolean(a, b, operation); });
+    tbb::task_arena(8).execute([&] { many = boolean(a, b, operation); });
+    EXPECT_EQ(one.to_mesh().positions, many.to_mesh().positions);
+    EXPECT_EQ(one.to_mesh().indices, many.to_mesh().indices);
+  }
+}
+
 TEST(Threads, OneImportOverManyThreads) {
   SECTILE_NEEDS_WORKERS;
   const PolygonMesh mesh = fine_sphere().to_mesh();
