@@ -51,7 +51,8 @@ TEST(Threads, OneBooleanOverManyThreads) {
 // So many contacts that each phase is divided.
 TEST(Threads, NearlyEqualSolidsOverManyThreads) {
   SECTILE_NEEDS_WORKERS;
-  const Solid a = sphere(1, 80, 40), b = transformed(a, Transform::rotation_degrees({1, 2, 3}, 0.06));
+  const Solid a = sphere(1, 80, 40),
+              b = transformed(a, Transform::rotation_degrees({1, 2, 3}, 0.06));
   for (const Operation operation : {Operation::unite, Operation::subtract}) {
     Solid one, many;
     tbb::task_arena(1).execute([&] { one = boolean(a, b, operation); });
