@@ -3,15 +3,50 @@
 
 #include <tbb/task_arena.h>
 
-#include <mutex>
+#include <atomic>
+#include <cstdint>
 
 namespace sectile {
 
-/// call_once, in isolation: a thread that waits for its own parallel loop within must not take up
-/// an outer task that enters the same call_once, or it would wait for itself.
+/// As std::once_flag, which makes a system call even where nobody waits: a Boolean has hundreds.
+class OnceFlag {
+ public:
+  /// Runs the body, unless another call has done so; waits while another call does. If the body
+  /// throws, the next call runs it.
+  template <class Body>
+  void run(const Body& body) {
+    if (state_.load(std::memory_order_acquire) == State::done) return;
+    for (;;) {
+      State now = State::open;
+      if (state_.compare_exchange_strong(now, State::running, std::memory_order_acquire)) break;
+      if (now == State::done) return;
+      state_.wait(State::running, std::memory_order_acquire);
+    }
+    try {
+      body();
+    } catch (...) {
+      leave(State::open);
+      throw;
+    }
+    leave(State::done);
+  }
+
+ private:
+  enum class State : std::uint8_t { open, running, done };
+
+  void leave(State state) {
+    state_.store(state, std::memory_order_release);
+    state_.notify_all();
+  }
+
+  std::atomic<State> state_ = State::open;
+};
+
+/// Runs the body once, in isolation: a thread that waits for its own parallel loop within must not
+/// take up an outer task that asks for the same, or it would wait for itself.
 template <class Body>
-void once_alone(std::once_flag& flag, const Body& body) {
-  std::call_once(flag, [&] { tbb::this_task_arena::isolate(body); });
+void once_alone(OnceFlag& flag, const Body& body) {
+  flag.run([&] { tbb::this_task_arena::isolate(body); });
 }
 
 }  // namespace sectile

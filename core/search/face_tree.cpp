@@ -66,7 +66,7 @@ bool is_slanted_needle(const Brep& brep, const Geometry& geometry, FaceId face) 
 }  // namespace
 
 const OrientedTree* FaceTree::oriented(const Brep& brep, const Geometry& geometry) const {
-  std::call_once(oriented_once_, [&] {
+  oriented_once_.run([&] {
     std::size_t needles = 0;
     for (std::size_t f = 0; f < brep.face_count(); ++f)
       if (is_slanted_needle(brep, geometry, FaceId(f))) ++needles;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 
 #include "geometry/geometry.h"
+#include "parallel/once_alone.h"
 #include "search/box_tree.h"
 #include "search/hubs.h"
 #include "search/oriented_tree.h"
@@ -27,7 +27,7 @@ class FaceTree : public BoxTree {
  private:
   FaceTree(const Brep& brep, const Geometry& geometry, Hubs hubs);
   Hubs hubs_;
-  mutable std::once_flag oriented_once_;
+  mutable OnceFlag oriented_once_;
   mutable std::unique_ptr<OrientedTree> oriented_;
 };
 

@@ -9,10 +9,10 @@
 
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "geometry/geometry.h"
+#include "parallel/once_alone.h"
 #include "search/face_tree.h"
 #include "topology/brep.h"
 
@@ -52,7 +52,7 @@ class Block {
   const Box& bounds() const;
 
  private:
-  mutable std::once_flag tree_once_, pieces_once_, bounds_once_;
+  mutable OnceFlag tree_once_, pieces_once_, bounds_once_;
   mutable std::unique_ptr<FaceTree> tree_;
   mutable Pieces pieces_;
   mutable Box bounds_;

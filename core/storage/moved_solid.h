@@ -3,9 +3,9 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 
 #include "geometry/frame.h"
+#include "parallel/once_alone.h"
 #include "storage/solid_data.h"
 
 namespace sectile {
@@ -22,7 +22,7 @@ class MovedSolid {
  private:
   std::shared_ptr<const SolidData> original_;
   Frame frame_;
-  mutable std::once_flag once_;
+  mutable OnceFlag once_;
   mutable std::shared_ptr<const SolidData> image_;
 };
 

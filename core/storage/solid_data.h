@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
@@ -131,7 +130,7 @@ class SolidData {
   std::shared_ptr<Block> making_;
   bool may_touch_itself_ = true;
 
-  mutable std::once_flag whole_once_, one_block_once_, tree_once_, touches_once_, complement_once_;
+  mutable OnceFlag whole_once_, one_block_once_, tree_once_, touches_once_, complement_once_;
   mutable std::shared_ptr<const Block> joined_;
   mutable std::shared_ptr<const SolidData> in_one_block_;
   mutable BoxTree slot_tree_;

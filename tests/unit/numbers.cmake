@@ -4,3 +4,4 @@ sectile_test(dyadic_test SOURCES dyadic_test.cpp dyadic_exactness_test.cpp sign_
              LIBRARIES Boost::headers)
 sectile_test(disjoint_sets_test SOURCES disjoint_sets_test.cpp)
 sectile_test(table_test SOURCES table_test.cpp)
+sectile_test(once_alone_test SOURCES once_alone_test.cpp)
