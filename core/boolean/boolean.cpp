@@ -32,8 +32,8 @@ bool operands_touch_themselves(const Workspace& w) {
 // The glued part, cleaned up, together with the blocks that are shared.
 Solid solid_of(const Workspace& w, Glued glued) {
   clean_up(glued.brep, glued.geometry, glued.seams);
-  const bool touches = !glued.slots.empty() && operands_touch_themselves(w);
-  Solid solid(splice(std::move(glued.slots),
+  const bool touches = !glued.shared.slots.empty() && operands_touch_themselves(w);
+  Solid solid(splice(std::move(glued.shared),
                      {std::move(glued.brep), std::move(glued.geometry), std::move(glued.outside)},
                      touches));
   if (w.options.validate)

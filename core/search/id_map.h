@@ -1,4 +1,5 @@
-// A small open-addressing map from 32-bit ids to 32-bit ids, for loading parts of a solid.
+// A map from 32-bit ids to 32-bit ids, for loading parts of a solid: a table where there are few
+// ids or most of them will be asked for, otherwise a small open-addressing map.
 #pragma once
 
 #include <bit>
@@ -11,7 +12,12 @@ class IdMap {
  public:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
-  explicit IdMap(std::size_t expected) {
+  /// `ids`: all are less than this.
+  explicit IdMap(std::size_t expected, std::size_t ids = none) {
+    if (ids <= few_ids || ids / 4 <= expected) {
+      table_.assign(ids, none);
+      return;
+    }
     std::size_t size = 16;
     while (size < 2 * expected) size *= 2;
     slots_.assign(size, {none, none});
@@ -20,6 +26,7 @@ class IdMap {
 
   /// The value for a key, to be set if it is none. Valid until the next call.
   std::uint32_t& operator[](std::uint32_t key) {
+    if (slots_.empty()) return table_[key];
     if (2 * (used_ + 1) > slots_.size()) grow();
     Slot& slot = find(key);
     if (slot.key == none) {
@@ -30,6 +37,7 @@ class IdMap {
   }
 
  private:
+  static constexpr std::size_t few_ids = 256;
   struct Slot {
     std::uint32_t key, value;
   };
@@ -47,9 +55,10 @@ class IdMap {
       if (slot.key != none) find(slot.key) = slot;
   }
 
-  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> table_;
+  std::vector<Slot> slots_;  // empty if there is a table
   std::size_t used_ = 0;
-  int shift_;
+  int shift_ = 0;
 };
 
 }  // namespace sectile

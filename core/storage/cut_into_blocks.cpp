@@ -5,7 +5,7 @@
 #include "parallel/parallel.h"
 #include "search/curve_order.h"
 #include "search/face_tree.h"
-#include "storage/geometry_loader.h"
+#include "storage/block_of_faces.h"
 
 namespace sectile {
 namespace {
@@ -100,158 +100,54 @@ class Cutter {
       : part_(part),
         brep_(part.brep),
         groups_(part),
-        blocks_(groups_.count()),
         links_(groups_.count()),
-        leaving_(groups_.count()),
         local_(brep_.half_edge_count()),
         made_{{}, std::vector<BorderEdge>(part.outside.size())} {
-    for (auto& block : blocks_) block = std::make_shared<Block>();
+    blocks_.reserve(groups_.count());
+    for (std::size_t g = 0; g < groups_.count(); ++g)
+      blocks_.emplace_back(brep_, part.geometry, groups_[g], local_);
   }
 
   CutPart run() {
-    for_each_group([&](std::size_t g) { number_edges(g); });
-    for_each_group([&](std::size_t g) { fill(g); });
+    for_each_group([&](std::size_t g) {
+      blocks_[g].number_edges([&](HalfEdgeId h) { return group_beyond(h) != g; });
+    });
+    for_each_group([&](std::size_t g) { blocks_[g].fill(); });
     for_each_group([&](std::size_t g) { add_links(g); });
-    for (std::size_t g = 0; g < blocks_.size(); ++g) {
-      made_.slots.push_back({std::move(blocks_[g]), std::move(links_[g]), false});
-    }
+    for (std::size_t g = 0; g < blocks_.size(); ++g)
+      made_.slots.push_back({blocks_[g].block(), std::move(links_[g]), false});
     return std::move(made_);
   }
 
  private:
   template <class Body>
   void for_each_group(const Body& body) const {
-    if (blocks_.size() < 4) {
-      for (std::size_t g = 0; g < blocks_.size(); ++g) body(g);
+    if (groups_.count() < 4) {
+      for (std::size_t g = 0; g < groups_.count(); ++g) body(g);
     } else {
-      parallel::loop(0, blocks_.size(), body);
+      parallel::loop(0, groups_.count(), body);
     }
   }
 
-  template <class Visit>
-  void for_each_half_edge(std::size_t g, const Visit& visit) const {
-    for (const FaceId f : groups_[g]) for_each_in_face(brep_, f, visit);
-  }
-
-  bool leaves(HalfEdgeId h, std::size_t g) const {
-    return groups_.of(brep_.face_of(Brep::twin(h))) != g;
-  }
-
-  // Border edges first.
-  void number_edges(std::size_t g) {
-    std::uint32_t next = 0;
-    for_each_half_edge(g, [&](HalfEdgeId h) {
-      if (!leaves(h, g)) return;
-      leaving_[g].push_back(h);
-      local_[h.value()] = HalfEdgeId(next);
-      next += 2;
-    });
-    blocks_[g]->border_count = next / 2;
-    for_each_half_edge(g, [&](HalfEdgeId h) {
-      if (local_[h.value()].valid()) return;
-      local_[h.value()] = HalfEdgeId(next);
-      local_[Brep::twin(h).value()] = HalfEdgeId(next + 1);
-      next += 2;
-    });
-    blocks_[g]->brep.resize_half_edges(next);
-  }
-
-  void fill(std::size_t g) {
-    Block& block = *blocks_[g];
-    const std::vector<VertexId> vertices = number_vertices(g, block.brep);
-    reserve(g, vertices.size(), block);
-    GeometryLoader geometry(part_.geometry, block.geometry, groups_[g].size());
-    add_faces(g, block.brep, geometry);
-    add_vertices(vertices, block, geometry);
-    add_edge_planes(g, block.brep, geometry);
-    block.bounds();
-    block.pieces();
-  }
-
-  void add_faces(std::size_t g, Brep& to, GeometryLoader& geometry) const {
-    for (const FaceId f : groups_[g]) {
-      const FaceId mine =
-          to.add_face(geometry.plane(brep_.plane[f]), brep_.source[f], LoopId(to.loop_count()));
-      for (LoopId l = brep_.outer_loop[f]; l.valid(); l = brep_.next_loop[l]) {
-        const LoopId next(to.loop_count() + 1);
-        const LoopId loop = to.add_loop(mine, local_[brep_.loop_half_edge[l].value()],
-                                        brep_.next_loop[l].valid() ? next : LoopId());
-        for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
-          const HalfEdgeId here = local_[h.value()], after = local_[brep_.next_of(h).value()];
-          to.next[here] = after;
-          to.prev[after] = here;
-          to.loop[here] = loop;
-        });
-      }
-    }
-  }
-
-  // The vertices of a group, numbered in the order in which they are met.
-  std::vector<VertexId> number_vertices(std::size_t g, Brep& to) const {
-    std::vector<VertexId> vertices;
-    vertices.reserve(groups_[g].size());
-    IdMap numbers(groups_[g].size());
-    for_each_half_edge(g, [&](HalfEdgeId h) {
-      std::uint32_t& known = numbers[brep_.from(h).value()];
-      if (known == IdMap::none) {
-        known = static_cast<std::uint32_t>(vertices.size());
-        vertices.push_back(brep_.from(h));
-        to.vertex_half_edge.add(local_[h.value()]);
-      }
-      to.origin[local_[h.value()]] = VertexId(known);
-    });
-    return vertices;
-  }
-
-  // Just as much as is needed, as a rule: most of a solid's memory is in its blocks.
-  void reserve(std::size_t g, std::size_t vertices, Block& block) const {
-    const std::size_t faces = groups_[g].size();
-    Brep& brep = block.brep;
-    brep.loop_face.reserve(faces);
-    brep.loop_half_edge.reserve(faces);
-    brep.next_loop.reserve(faces);
-    brep.outer_loop.reserve(faces);
-    brep.plane.reserve(faces);
-    brep.source.reserve(faces);
-    brep.point.reserve(vertices);
-    block.geometry.positions.reserve(vertices);
-    block.geometry.construct.reserve(vertices);
-    block.geometry.planes.reserve(faces);
-  }
-
-  void add_vertices(const std::vector<VertexId>& vertices, Block& block,
-                    GeometryLoader& geometry) const {
-    Brep& to = block.brep;
-    for (const VertexId v : vertices) to.point.add(geometry.point(brep_.point_of(v)));
-    for (std::uint32_t e = 0; e < block.border_count; ++e) {
-      const HalfEdgeId h = Brep::half_edge(EdgeId(e));
-      to.origin[Brep::twin(h)] = to.from(to.next_of(h));
-    }
-  }
-
-  void add_edge_planes(std::size_t g, Brep& to, GeometryLoader& geometry) const {
-    if (brep_.edge_plane.empty()) return;
-    for_each_half_edge(g, [&](HalfEdgeId h) {
-      const PlaneId plane = brep_.edge_plane[Brep::edge_of(h)];
-      const HalfEdgeId here = local_[h.value()];
-      if (!plane.valid() || here.value() % 2 != 0) return;
-      if (to.edge_plane.empty()) to.edge_plane.resize(to.edge_count());
-      to.edge_plane[Brep::edge_of(here)] = geometry.plane(plane);
-    });
+  std::uint32_t group_beyond(HalfEdgeId h) const {
+    return groups_.of(brep_.face_of(Brep::twin(h)));
   }
 
   BorderEdge border_edge(std::size_t g, HalfEdgeId h) const {
     const HalfEdgeId here = local_[h.value()];
-    const FaceId face = blocks_[g]->brep.face_of(here);
-    return {part_.places(g), here.value() / 2, blocks_[g]->pieces().of_face[face.value()]};
+    const Block& block = *blocks_[g].block();
+    return {part_.places(g), here.value() / 2,
+            block.pieces().of_face[block.brep.face_of(here).value()]};
   }
 
   void add_links(std::size_t g) {
-    std::vector<BorderLink> links(blocks_[g]->border_count);
-    for (const HalfEdgeId h : leaving_[g]) {
+    const std::vector<HalfEdgeId>& leaving = blocks_[g].leaving();
+    if (leaving.empty()) return;
+    std::vector<BorderLink> links(leaving.size());
+    for (const HalfEdgeId h : leaving) {
       const BorderEdge mine = border_edge(g, h);
       BorderEdge other;
-      if (const std::uint32_t beyond = groups_.of(brep_.face_of(Brep::twin(h))); beyond != none) {
+      if (const std::uint32_t beyond = group_beyond(h); beyond != none) {
         other = border_edge(beyond, Brep::twin(h));
       } else {
         other = part_.outside[Brep::edge_of(h).value()];
@@ -260,17 +156,15 @@ class Cutter {
       links[mine.border] = {static_cast<std::int32_t>(other.slot - mine.slot), other.border,
                             other.piece};
     }
-    if (!links.empty())
-      links_[g] = std::make_shared<const BorderLinks>(*blocks_[g], std::move(links));
+    links_[g] = std::make_shared<const BorderLinks>(*blocks_[g].block(), std::move(links));
   }
 
   const PartToCut& part_;
   const Brep& brep_;
   Groups groups_;
-  std::vector<std::shared_ptr<Block>> blocks_;
+  std::vector<BlockOfFaces> blocks_;
   std::vector<std::shared_ptr<const BorderLinks>> links_;
-  std::vector<std::vector<HalfEdgeId>> leaving_;  // per group: its half-edges on the border
-  std::vector<HalfEdgeId> local_;                 // per half-edge: in its face's block
+  std::vector<HalfEdgeId> local_;  // per half-edge: in its face's block
   CutPart made_;
 };
 

@@ -11,7 +11,10 @@ class GeometryLoader {
  public:
   /// `expected`: about how many points there will be.
   GeometryLoader(const Geometry& from, Geometry& to, std::size_t expected)
-      : from_(from), to_(to), points_(expected), planes_{IdMap(expected), IdMap(0)} {}
+      : from_(from),
+        to_(to),
+        points_(expected, from.positions.size()),
+        planes_{IdMap(expected, from.planes.size()), IdMap(expected, from.planes.size())} {}
 
   PointId point(PointId p);
   /// `turned`: with the opposite normal.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "storage/cut_into_blocks.h"
+#include "storage/shared_slots.h"
 
 namespace sectile {
 
@@ -15,10 +16,10 @@ struct NewPart {
   std::vector<BorderEdge> outside;
 };
 
-/// `shared`: slots, some of them empty. Their links are true, but for those to the new part, which
-/// is put into empty and further slots. `touches_itself` is asked only if there are shared blocks:
-/// may several vertices of the shared blocks be at one point?
-std::shared_ptr<SolidData> splice(std::vector<Slot> shared, NewPart part, bool touches_itself);
+/// The links of `shared` are true, but for those to the new part, which is put into empty and
+/// further slots. `touches_itself` is asked only if there are shared blocks: may several vertices
+/// of the shared blocks be at one point?
+std::shared_ptr<SolidData> splice(SharedSlots shared, NewPart part, bool touches_itself);
 
 /// Are several vertices at one point, other than those that `rest` faces divide?
 bool vertices_coincide(const Brep& brep, const Geometry& geometry);

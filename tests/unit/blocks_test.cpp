@@ -98,6 +98,29 @@ TEST(Blocks, AResultSharesWhatAToolDoesNotTouch) {
   }
 }
 
+// The faces of a slot's block, by where they come from.
+std::set<std::pair<std::uint32_t, std::uint32_t>> sources(const Slot& slot) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> found;
+  for (const FaceSource& source : slot.block->brep.source)
+    found.insert({source.solid, source.face});
+  return found;
+}
+
+TEST(Blocks, OfATouchedBlockTheFacesThatNothingTouchesKeepTheirSlot) {
+  const Solid body = many_faces(), tool = ball({1, 0, 0}, 0.1, 12, 9);
+  const Solid result = boolean(body, tool, Operation::subtract);
+  std::size_t trimmed = 0;
+  for (std::uint32_t s = 0; s < body.data()->slots().size(); ++s) {
+    const Slot &before = body.data()->slot(s), &after = result.data()->slot(s);
+    if (after.empty() || after.block == before.block) continue;
+    const auto all = sources(before), left = sources(after);
+    if (left.size() < all.size() && std::includes(all.begin(), all.end(), left.begin(), left.end()))
+      ++trimmed;
+  }
+  EXPECT_GT(trimmed, 3u);
+  expect_legal(result);
+}
+
 TEST(Blocks, WhatIsTakenAwayIsSharedTurnedInsideOut) {
   const Solid body = ball({0, 0, 0}, 2, 100, 101), cavity = many_faces();
   const Solid hollow = boolean(body, cavity, Operation::subtract);

@@ -1,9 +1,11 @@
 #include "boolean/gluing/gluing.h"
 
 #include <memory>
+#include <optional>
 
 #include "sectile/errors.h"
 #include "storage/geometry_loader.h"
+#include "storage/trimmed_blocks.h"
 #include "topology/open_ends.h"
 #include "topology/vertex_cycles.h"
 
@@ -77,30 +79,51 @@ class Gluer {
 
   bool turns(Operand s) const { return reversed(operation_, s); }
 
+  // Blocks stay, are trimmed or, if they have few faces, made anew with what is glued.
   void share_blocks(Operand s) {
-    first_slot_[s] = static_cast<std::uint32_t>(glued_.slots.size());
+    std::vector<Slot>& slots = glued_.shared.slots;
+    first_slot_[s] = static_cast<std::uint32_t>(slots.size());
     const RestLabels& rest = kept_.rest[s];
     if (rest.empty()) return;
     const SolidData& solid = *w_.patch[s].solid;
     copied_[s].resize(solid.slots().size());
-    glued_.slots.resize(first_slot_[s] + solid.slots().size());
+    slots.resize(slots.size() + solid.slots().size());
+    TrimmedBlocks& trimmed = trimmed_[s].emplace(solid);
+    std::vector<TrimmedBlocks::Rest> rests;
     for (std::uint32_t t = 0; t < solid.slots().size(); ++t) {
-      const auto [stay, all] = how_many_stay(rest, t);
-      if (stay == 0) continue;
-      const Slot& slot = solid.slot(t);
-      const bool turned = slot.turned != turns(s);
-      if (stay == all && !rest.is_touched(t) && slot.block->brep.face_count() >= few_faces)
-        glued_.slots[first_slot_[s] + t] = {slot.block, slot.links, turned};
+      if (solid.slot(t).empty() || none_stays(rest, t)) continue;
+      const Block& block = *solid.slot(t).block;
+      if (all_stay(rest, t) && block.brep.face_count() >= few_faces)
+        slots[first_slot_[s] + t] = {solid.slot(t).block, solid.slot(t).links,
+                                     solid.slot(t).turned != turns(s)};
+      else if (std::vector<FaceId> faces = those_that_stay(rest, t, block);
+               solid.slots().size() > 1 && faces.size() >= few_faces)
+        rests.push_back({t, std::move(faces)});
       else
-        copied_[s][t] = std::make_unique<Copied>(*slot.block, glued_.geometry);
+        copied_[s][t] = std::make_unique<Copied>(block, glued_.geometry);
     }
+    trimmed.trim(std::move(rests));
+    for (const std::uint32_t t : trimmed.slots())
+      slots[first_slot_[s] + t] = {trimmed[t]->block(), nullptr, solid.slot(t).turned != turns(s)};
+    trimmed.link(glued_.shared, first_slot_[s]);
   }
 
-  static std::pair<std::uint32_t, std::uint32_t> how_many_stay(const RestLabels& rest,
-                                                               std::uint32_t slot) {
-    std::uint32_t stay = 0;
-    for (std::uint32_t m = 0; m < rest.count(slot); ++m) stay += rest.of_member(slot, m) == 1;
-    return {stay, rest.count(slot)};
+  static bool none_stays(const RestLabels& rest, std::uint32_t slot) {
+    for (std::uint32_t m = 0; m < rest.count(slot); ++m)
+      if (rest.of_member(slot, m) == 1) return false;
+    return true;
+  }
+  static bool all_stay(const RestLabels& rest, std::uint32_t slot) {
+    for (std::uint32_t m = 0; m < rest.count(slot); ++m)
+      if (rest.of_member(slot, m) != 1) return false;
+    return !rest.is_touched(slot);
+  }
+  static std::vector<FaceId> those_that_stay(const RestLabels& rest, std::uint32_t slot,
+                                             const Block& block) {
+    std::vector<FaceId> faces;
+    for (const FaceId f : block.brep.faces())
+      if (rest.label(slot, f) == 1) faces.push_back(f);
+    return faces;
   }
 
   template <class Visit>
@@ -169,7 +192,18 @@ class Gluer {
   }
 
   bool is_shared(const SourceHalfEdge& e) const {
-    return e.slot != loaded && !glued_.slots[first_slot_[e.operand] + e.slot].empty();
+    if (e.slot == loaded || glued_.shared.slots[first_slot_[e.operand] + e.slot].empty())
+      return false;
+    const FaceId face = w_.patch[e.operand].solid->slot(e.slot).block->brep.face_of(e.h);
+    return !kept_.rest[e.operand].is_loaded(e.slot, face);
+  }
+
+  BorderEdge border_edge(const SourceHalfEdge& e) const {
+    BorderEdge edge = trimmed_[e.operand]->border_edge(e.slot, e.h);
+    if (edge.border == TrimmedBlock::none)
+      throw InternalError("an edge of the result has only one face");
+    edge.slot += first_slot_[e.operand];
+    return edge;
   }
 
   HalfEdgeId add_edge(const SourceHalfEdge& e) {
@@ -181,7 +215,7 @@ class Gluer {
 
   // Edges to shared blocks come first.
   void add_outside_edges(const Source& from, FaceId face) {
-    if (glued_.slots.empty()) return;
+    if (glued_.shared.slots.empty()) return;
     for_each_in_face(from.brep, face, [&](HalfEdgeId h) {
       const SourceHalfEdge e{from.operand, from.slot, h};
       bool seam = false;
@@ -189,9 +223,7 @@ class Gluer {
       const SourceHalfEdge other = mate(e, seam);
       if (!is_shared(other)) return;
       const HalfEdgeId id = add_edge(e);
-      const Block& beyond = *glued_.slots[first_slot_[other.operand] + other.slot].block;
-      glued_.outside.push_back({first_slot_[other.operand] + other.slot, other.h.value() / 2,
-                                beyond.pieces().of_face[beyond.brep.face_of(other.h).value()]});
+      glued_.outside.push_back(border_edge(other));
       keep_edge_plane(from, h, Brep::edge_of(id));
     });
   }
@@ -304,6 +336,7 @@ class Gluer {
   Brep& brep_;
   GeometryLoader local_;  // of the workspace
   PerOperand<std::uint32_t> first_slot_;
+  PerOperand<std::optional<TrimmedBlocks>> trimmed_;
   PerOperand<std::vector<std::unique_ptr<Copied>>> copied_;  // per slot
   PerOperand<Table<HalfEdgeId, SourceHalfEdge>> partner_;
   PerOperand<Table<HalfEdgeId, HalfEdgeId>> made_loaded_;

@@ -1,8 +1,8 @@
 // Phase 6: the pieces that stay are turned if need be and glued, two half-planes for each wedge of
 // material; then vertices are what the cycles of edges around them say.
 //
-// Blocks that stay as they are go into the result as they are. What is glued, and the rest of the
-// blocks that were touched, is made anew.
+// Blocks that stay as they are go into the result as they are; of others, what stays and was not
+// touched. What is glued is made anew.
 #pragma once
 
 #include <memory>
@@ -10,6 +10,7 @@
 
 #include "boolean/components/components.h"
 #include "storage/cut_into_blocks.h"
+#include "storage/shared_slots.h"
 
 namespace sectile {
 
@@ -21,8 +22,8 @@ struct Glued {
   std::vector<EdgeId> seams;
   /// Of edges 0, 1, …: each leads from its even half-edge to this border edge of a shared block.
   std::vector<BorderEdge> outside;
-  /// The slots of A and then of B, with the blocks that are shared.
-  std::vector<Slot> slots;
+  /// The slots of A and then of B, with the blocks that are shared or trimmed.
+  SharedSlots shared;
 };
 
 /// `kept`: label 1 for the faces that stay. `wedges`: of the neighborhoods, for this operation.

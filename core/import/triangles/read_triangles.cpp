@@ -135,7 +135,8 @@ std::shared_ptr<SolidData> read_triangles(const SoupView& soup, const ImportOpti
   std::shared_ptr<const FacesAsRead> as_read;
   NewPart rest = joined(part, kernel, options, as_read);
   rest.outside = std::move(blocks.outside);
-  std::shared_ptr<SolidData> data = splice(std::move(blocks.slots), std::move(rest), false);
+  std::shared_ptr<SolidData> data =
+      splice(SharedSlots(std::move(blocks.slots)), std::move(rest), false);
   data->origin = origin;
   data->as_read = std::move(as_read);
   return data;
