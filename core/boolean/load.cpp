@@ -182,7 +182,7 @@ class NearFaceMarks {
     std::uint32_t count = 0;
     for (const std::uint32_t slot : slots) {
       first_[slot] = count;
-      count += static_cast<std::uint32_t>(solid.slot(slot).block->brep.face_count());
+      count += solid.slot(slot).faces;
     }
     loaded_.assign(count, none);
   }
@@ -192,7 +192,7 @@ class NearFaceMarks {
   std::vector<FaceId> marked() {
     std::vector<FaceId> faces;
     for (const std::uint32_t slot : slots_) {
-      const std::size_t count = solid_.slot(slot).block->brep.face_count();
+      const std::size_t count = solid_.slot(slot).faces;
       for (std::size_t f = 0; f < count; ++f) {
         std::uint32_t& loaded = loaded_[first_[slot] + f];
         if (loaded == none) continue;

@@ -37,8 +37,10 @@ struct Box {
     }
   }
   bool overlaps(const Box& other) const {
-    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
-           other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
+    // Not a chain of &&: which comparison fails cannot be foretold.
+    bool all = true;
+    for (int k = 0; k < 3; ++k) all = all & (low[k] <= other.high[k]) & (other.low[k] <= high[k]);
+    return all;
   }
   bool contains(const Vec3& p) const {
     return low[0] <= p.x && p.x <= high[0] && low[1] <= p.y && p.y <= high[1] && low[2] <= p.z &&

@@ -115,7 +115,7 @@ class Cutter {
     for_each_group([&](std::size_t g) { blocks_[g].fill(); });
     for_each_group([&](std::size_t g) { add_links(g); });
     for (std::size_t g = 0; g < blocks_.size(); ++g)
-      made_.slots.push_back({blocks_[g].block(), std::move(links_[g]), false});
+      made_.slots.push_back({blocks_[g].block(), std::move(links_[g])});
     return std::move(made_);
   }
 

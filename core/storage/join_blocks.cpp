@@ -28,7 +28,7 @@ class Joiner {
  private:
   std::vector<HalfEdgeId>& joined(std::uint32_t s) {
     std::vector<HalfEdgeId>& ids = joined_[s];
-    if (ids.empty()) ids.resize(solid_.slot(s).block->brep.half_edge_count());
+    if (ids.empty()) ids.resize(solid_.slot(s).half_edges);
     return ids;
   }
 

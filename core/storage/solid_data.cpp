@@ -2,13 +2,14 @@
 
 #include "sectile/errors.h"
 #include "storage/cut_into_blocks.h"
+#include "storage/hang_together.h"
 #include "storage/join_blocks.h"
 #include "storage/splice.h"
 
 namespace sectile {
 
 SolidData::SolidData() : making_(std::make_shared<Block>()) {
-  slots_.push_back({making_, nullptr, false});
+  slots_.push_back({making_, nullptr});
   base_ = page_slot_ = {0};
 }
 
@@ -30,11 +31,17 @@ void SolidData::number_pages() {
   base_.clear();
   page_slot_.clear();
   face_count_ = 0;
+  base_.reserve(slots_.size());
+  page_slot_.reserve(slots_.size());
   for (std::uint32_t s = 0; s < slots_.size(); ++s) {
+    Slot& slot = slots_[s];
+    if (!slot.empty() && slot.half_edges == 0) {
+      slot.faces = static_cast<std::uint32_t>(slot.block->brep.face_count());
+      slot.half_edges = static_cast<std::uint32_t>(slot.block->brep.half_edge_count());
+    }
+    face_count_ += slot.faces;
     base_.push_back(static_cast<std::uint32_t>(page_slot_.size() << page_bits));
-    const std::size_t numbers = slots_[s].empty() ? 0 : slots_[s].block->brep.half_edge_count();
-    if (!slots_[s].empty()) face_count_ += slots_[s].block->brep.face_count();
-    page_slot_.resize(page_slot_.size() + (numbers >> page_bits) + 1, s);
+    page_slot_.resize(page_slot_.size() + (slot.half_edges >> page_bits) + 1, s);
   }
   if (page_slot_.size() >= std::size_t(1) << (30 - page_bits))
     throw Error("the solid has more half-edges than can be numbered");
@@ -55,7 +62,7 @@ const SolidData& SolidData::in_one_block() const {
   once_alone(one_block_once_, [this] {
     whole();
     auto made =
-        std::make_shared<SolidData>(std::vector<Slot>{{joined_, nullptr, false}}, touches_itself());
+        std::make_shared<SolidData>(std::vector<Slot>{{joined_, nullptr}}, touches_itself());
     made->origin = origin;
     in_one_block_ = std::move(made);
   });
@@ -66,7 +73,7 @@ const BoxTree& SolidData::slot_tree() const {
   once_alone(tree_once_, [this] {
     std::vector<Box> boxes;
     for (std::uint32_t s = 0; s < slots_.size(); ++s) {
-      if (slots_[s].empty() || slots_[s].block->brep.face_count() == 0) continue;
+      if (slots_[s].faces == 0) continue;
       slots_in_tree_.push_back(s);
       boxes.push_back(slots_[s].block->bounds());
     }
@@ -82,6 +89,13 @@ bool SolidData::touches_itself() const {
     touches_itself_ = vertices_coincide(slots_[0].block->brep, slots_[0].block->geometry);
   });
   return touches_itself_;
+}
+
+bool SolidData::is_known_as_one_shell() const {
+  if (one_shell_) return true;
+  if (!asked_for_shells_.exchange(true)) return false;
+  once_alone(shells_once_, [this] { one_shell_ = hang_together(*this); });
+  return one_shell_;
 }
 
 }  // namespace sectile

@@ -5,6 +5,7 @@
 // block they are the block's.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -23,6 +24,8 @@ struct Slot {
   std::shared_ptr<const BorderLinks>
       links;            ///< per border edge of the block; none if there is none
   bool turned = false;  ///< all half-edges run the other way: the material is on the other side
+  /// Of the block, once the slot is in a solid: not to go to each block for them.
+  std::uint32_t faces = 0, half_edges = 0;
 
   bool empty() const { return !block; }
   // Half-edges as they run in the solid.
@@ -111,6 +114,11 @@ class SolidData {
   /// May several of its vertices be at one point? Found out when first asked.
   bool touches_itself() const;
 
+  /// Do all faces hang together over edges? False, too, if nobody knows: it is found out when asked
+  /// for the second time, as one look at all blocks is dearer than a Boolean without the answer.
+  bool is_known_as_one_shell() const;
+  void know_as_one_shell() { one_shell_ = true; }
+
   /// What make() gives when this is called first, and then kept: the same boundary with its edges
   /// paired for the complement (boolean/complement.h).
   template <class Make>
@@ -130,7 +138,10 @@ class SolidData {
   std::shared_ptr<Block> making_;
   bool may_touch_itself_ = true;
 
-  mutable OnceFlag whole_once_, one_block_once_, tree_once_, touches_once_, complement_once_;
+  mutable std::atomic<bool> one_shell_ = false, asked_for_shells_ = false;
+
+  mutable OnceFlag whole_once_, one_block_once_, tree_once_, touches_once_, complement_once_,
+      shells_once_;
   mutable std::shared_ptr<const Block> joined_;
   mutable std::shared_ptr<const SolidData> in_one_block_;
   mutable BoxTree slot_tree_;

@@ -1,5 +1,6 @@
 #include "boolean/components/components.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "boolean/components/free_point.h"
@@ -45,6 +46,17 @@ class Labelling {
   }
 
  private:
+  // A loaded face, or a face or piece of a slot.
+  struct Pending {
+    std::uint32_t slot, member;
+  };
+  static constexpr std::uint32_t loaded_slot = 0xFFFFFFFFu;
+  // Where a label may spread further.
+  struct Front {
+    std::uint8_t label;
+    std::vector<Pending> pending;
+  };
+
   const SolidData& solid() const { return *patch_.solid; }
   const Slot& slot(std::uint32_t s) const { return patch_.solid->slot(s); }
 
@@ -63,13 +75,13 @@ class Labelling {
     return true;
   }
   void set_loaded(FaceId f, std::uint8_t label) {
-    if (set(loaded_[f], label)) stack_.push_back({loaded_slot, f.value()});
+    if (set(loaded_[f], label)) front(label).push_back({loaded_slot, f.value()});
   }
   void set_rest(std::uint32_t s, FaceId local, std::uint8_t label) {
     set_member(s, rest_.member(s, local), label);
   }
   void set_member(std::uint32_t s, std::uint32_t member, std::uint8_t label) {
-    if (set(rest_.of_member(s, member), label)) stack_.push_back({s, member});
+    if (set(rest_.of_member(s, member), label)) front(label).push_back({s, member});
   }
 
   void seed_from_segments(const Neighborhoods& n, const JoinedCuts& joined) {
@@ -85,17 +97,55 @@ class Labelling {
     }
   }
 
+  // The labels spread in turns. In one shell, what the last of them would reach is all that the
+  // others have not: so the cost is that of the smaller parts.
   void spread() {
-    while (!stack_.empty()) {
-      const Pending next = stack_.back();
-      stack_.pop_back();
-      if (next.slot == loaded_slot)
-        spread_loaded(FaceId(next.member));
-      else if (rest_.is_touched(next.slot))
-        spread_face(next.slot, FaceId(next.member));
-      else
-        spread_piece(next.slot, next.member);
+    while (const std::size_t busy = busy_fronts()) {
+      if (busy == 1 && is_one_shell()) return label_others();
+      for (std::size_t i = 0; i < fronts_.size(); ++i) {
+        std::vector<Pending>& pending = fronts_[i].pending;
+        if (pending.empty()) continue;
+        const Pending next = pending.back();
+        pending.pop_back();
+        spread(next);
+      }
     }
+  }
+
+  bool is_one_shell() {
+    if (!one_shell_) one_shell_ = !rest_.empty() && solid().is_known_as_one_shell();
+    return *one_shell_;
+  }
+
+  std::size_t busy_fronts() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(fronts_, [](const Front& f) { return !f.pending.empty(); }));
+  }
+
+  std::vector<Pending>& front(std::uint8_t label) {
+    for (Front& f : fronts_)
+      if (f.label == label) return f.pending;
+    return fronts_.emplace_back(Front{label, {}}).pending;
+  }
+
+  // With the label of the only front that is left.
+  void label_others() {
+    for (Front& front : fronts_) {
+      if (front.pending.empty()) continue;
+      for (const FaceId f : loaded_.ids())
+        if (loaded_[f] == unknown && patch_.is_real(f)) loaded_[f] = front.label;
+      rest_.label_others(front.label);
+      front.pending.clear();
+    }
+  }
+
+  void spread(const Pending& next) {
+    if (next.slot == loaded_slot)
+      spread_loaded(FaceId(next.member));
+    else if (rest_.is_touched(next.slot))
+      spread_face(next.slot, FaceId(next.member));
+    else
+      spread_piece(next.slot, next.member);
   }
 
   void spread_loaded(FaceId face) {
@@ -169,6 +219,7 @@ class Labelling {
     }
     if (rest_.empty()) return;
     for (std::uint32_t s = 0; s < solid().slots().size(); ++s) {
+      if (!rest_.has(s, unknown)) continue;
       for (std::uint32_t m = 0; m < rest_.count(s); ++m)
         if (rest_.of_member(s, m) == unknown) settle(s, m);
     }
@@ -206,12 +257,6 @@ class Labelling {
     return label_(operand_, is_inside(w_, other(operand_), p) ? Class::in : Class::out);
   }
 
-  // A loaded face, or a face or piece of a slot.
-  struct Pending {
-    std::uint32_t slot, member;
-  };
-  static constexpr std::uint32_t loaded_slot = 0xFFFFFFFFu;
-
   Workspace& w_;
   const Contacts& contacts_;
   Operand operand_;
@@ -221,7 +266,8 @@ class Labelling {
   Table<FaceId, std::uint8_t>& loaded_;
   RestLabels& rest_;
   IdMap open_ends_;
-  std::vector<Pending> stack_;
+  std::vector<Front> fronts_;
+  std::optional<bool> one_shell_;
 };
 
 }  // namespace

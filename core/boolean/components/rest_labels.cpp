@@ -1,26 +1,48 @@
 #include "boolean/components/rest_labels.h"
 
+#include <algorithm>
+
 namespace sectile {
 
-RestLabels::RestLabels(const Patch& patch) : solid_(patch.solid) {
-  if (patch.whole || patch.face_in_solid.size() == solid_->face_count()) return;
-  const std::size_t slots = solid_->slots().size();
-  touched_.assign(slots, 0);
-  for (const FaceId f : patch.face_in_solid) touched_[solid_->slot_of(f)] = 1;
-  first_.reserve(slots + 1);
-  first_.push_back(0);
-  for (std::uint32_t s = 0; s < slots; ++s) {
-    const Slot& slot = solid_->slot(s);
-    const std::size_t members = slot.empty()  ? 0
-                                : touched_[s] ? slot.block->brep.face_count()
-                                              : slot.block->pieces().count;
-    first_.push_back(first_.back() + static_cast<std::uint32_t>(members));
-  }
-  labels_.assign(first_.back(), unknown);
+RestLabels::RestLabels(const Patch& patch) {
+  if (patch.whole || patch.face_in_solid.size() == patch.solid->face_count()) return;
+  solid_ = patch.solid;
+  touched_.assign(solid_->slots().size(), 0);
+  first_.assign(solid_->slots().size(), none);
   for (const FaceId f : patch.face_in_solid) {
     const std::uint32_t s = solid_->slot_of(f);
+    touched_[s] = 1;
     of_member(s, solid_->local(s, f).value()) = loaded;
   }
+}
+
+std::uint32_t RestLabels::count(std::uint32_t slot) const {
+  const Slot& s = solid_->slot(slot);
+  if (s.empty()) return 0;
+  return is_touched(slot) ? s.faces : s.block->pieces().count;
+}
+
+void RestLabels::add_members(std::uint32_t slot) {
+  first_[slot] = static_cast<std::uint32_t>(labels_.size());
+  labels_.resize(labels_.size() + count(slot), others_);
+}
+
+std::span<const std::uint8_t> RestLabels::labels(std::uint32_t slot) const {
+  if (first_[slot] == none) return {&others_, 1};
+  return std::span(labels_).subspan(first_[slot], count(slot));
+}
+
+bool RestLabels::has(std::uint32_t slot, std::uint8_t label) const {
+  return std::ranges::find(labels(slot), label) != labels(slot).end();
+}
+
+bool RestLabels::has_only(std::uint32_t slot, std::uint8_t label) const {
+  return std::ranges::all_of(labels(slot), [&](std::uint8_t l) { return l == label; });
+}
+
+void RestLabels::label_others(std::uint8_t label) {
+  others_ = label;
+  std::ranges::replace(labels_, unknown, label);
 }
 
 }  // namespace sectile

@@ -91,16 +91,17 @@ class Gluer {
     TrimmedBlocks& trimmed = trimmed_[s].emplace(solid);
     std::vector<TrimmedBlocks::Rest> rests;
     for (std::uint32_t t = 0; t < solid.slots().size(); ++t) {
-      if (solid.slot(t).empty() || none_stays(rest, t)) continue;
-      const Block& block = *solid.slot(t).block;
-      if (all_stay(rest, t) && block.brep.face_count() >= few_faces)
-        slots[first_slot_[s] + t] = {solid.slot(t).block, solid.slot(t).links,
-                                     solid.slot(t).turned != turns(s)};
-      else if (std::vector<FaceId> faces = those_that_stay(rest, t, block);
-               solid.slots().size() > 1 && faces.size() >= few_faces)
+      const Slot& slot = solid.slot(t);
+      if (slot.empty() || !rest.has(t, 1)) continue;
+      if (!rest.is_touched(t) && rest.has_only(t, 1) && slot.faces >= few_faces) {
+        Slot& shared = slots[first_slot_[s] + t] = slot;
+        shared.turned = slot.turned != turns(s);
+      } else if (std::vector<FaceId> faces = those_that_stay(rest, t, *slot.block);
+                 solid.slots().size() > 1 && faces.size() >= few_faces) {
         rests.push_back({t, std::move(faces)});
-      else
-        copied_[s][t] = std::make_unique<Copied>(block, glued_.geometry);
+      } else {
+        copied_[s][t] = std::make_unique<Copied>(*slot.block, glued_.geometry);
+      }
     }
     trimmed.trim(std::move(rests));
     for (const std::uint32_t t : trimmed.slots())
@@ -108,16 +109,6 @@ class Gluer {
     trimmed.link(glued_.shared, first_slot_[s]);
   }
 
-  static bool none_stays(const RestLabels& rest, std::uint32_t slot) {
-    for (std::uint32_t m = 0; m < rest.count(slot); ++m)
-      if (rest.of_member(slot, m) == 1) return false;
-    return true;
-  }
-  static bool all_stay(const RestLabels& rest, std::uint32_t slot) {
-    for (std::uint32_t m = 0; m < rest.count(slot); ++m)
-      if (rest.of_member(slot, m) != 1) return false;
-    return !rest.is_touched(slot);
-  }
   static std::vector<FaceId> those_that_stay(const RestLabels& rest, std::uint32_t slot,
                                              const Block& block) {
     std::vector<FaceId> faces;
