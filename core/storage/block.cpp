@@ -52,4 +52,14 @@ const Box& Block::bounds() const {
   return bounds_;
 }
 
+const OrientedBox& Block::oriented_bounds() const {
+  once_alone(oriented_once_, [this] {
+    std::vector<Vec3> points;
+    points.reserve(brep.vertex_count());
+    for (const PointId p : brep.point) points.push_back(geometry.position(p));
+    oriented_bounds_ = std::make_unique<OrientedBox>(points);
+  });
+  return *oriented_bounds_;
+}
+
 }  // namespace sectile

@@ -14,6 +14,7 @@
 #include "geometry/geometry.h"
 #include "parallel/once_alone.h"
 #include "search/face_tree.h"
+#include "search/oriented_box.h"
 #include "topology/brep.h"
 
 namespace sectile {
@@ -50,12 +51,15 @@ class Block {
   const Pieces& pieces() const;
   /// Of all corners.
   const Box& bounds() const;
+  /// As they lie; not for a block without faces.
+  const OrientedBox& oriented_bounds() const;
 
  private:
-  mutable OnceFlag tree_once_, pieces_once_, bounds_once_;
+  mutable OnceFlag tree_once_, pieces_once_, bounds_once_, oriented_once_;
   mutable std::unique_ptr<FaceTree> tree_;
   mutable Pieces pieces_;
   mutable Box bounds_;
+  mutable std::unique_ptr<OrientedBox> oriented_bounds_;
 };
 
 }  // namespace sectile

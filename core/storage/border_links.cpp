@@ -53,6 +53,7 @@ BorderLinks::BorderLinks(const Block& block, std::vector<BorderLink> links)
     ++neighbours_.back().last;
   }
   first_.resize(pieces.count + 1, static_cast<std::uint32_t>(neighbours_.size()));
+  if (pieces.count == 1) first_ = {};
 }
 
 }  // namespace sectile

@@ -32,6 +32,7 @@ class BorderLinks {
   };
   /// Those of one of the block's pieces.
   std::span<const Neighbour> neighbours(std::uint32_t own_piece) const {
+    if (first_.empty()) return neighbours_;
     return std::span(neighbours_)
         .subspan(first_[own_piece], first_[own_piece + 1] - first_[own_piece]);
   }
@@ -40,7 +41,8 @@ class BorderLinks {
   }
 
  private:
-  std::vector<std::uint32_t> first_;  // per piece: its first neighbour; and the end
+  // Per piece: its first neighbour; and the end. Empty if there is one piece.
+  std::vector<std::uint32_t> first_;
   std::vector<Neighbour> neighbours_;
   std::vector<BorderLink> links_;
   std::vector<std::uint32_t> by_neighbour_;

@@ -45,6 +45,7 @@ class NearFaces {
       BoxTree::overlaps(a.tree(), b.tree(), visit, skip);
       return;
     }
+    if (apart(a.oriented_bounds(), b.oriented_bounds())) return;
     const Nodes nodes(a, b);
     hulls_[0].start(a);
     hulls_[1].start(b);

@@ -27,6 +27,16 @@ void SolidData::cut() {
   number_pages();
 }
 
+namespace {
+
+void count_elements(Slot& slot) {
+  slot.faces = static_cast<std::uint32_t>(slot.block->brep.face_count());
+  slot.half_edges = static_cast<std::uint32_t>(slot.block->brep.half_edge_count());
+  slot.pieces = slot.block->pieces().count;
+}
+
+}  // namespace
+
 void SolidData::number_pages() {
   base_.clear();
   page_slot_.clear();
@@ -35,12 +45,10 @@ void SolidData::number_pages() {
   page_slot_.reserve(slots_.size());
   for (std::uint32_t s = 0; s < slots_.size(); ++s) {
     Slot& slot = slots_[s];
-    if (!slot.empty() && slot.half_edges == 0) {
-      slot.faces = static_cast<std::uint32_t>(slot.block->brep.face_count());
-      slot.half_edges = static_cast<std::uint32_t>(slot.block->brep.half_edge_count());
-    }
-    face_count_ += slot.faces;
     base_.push_back(static_cast<std::uint32_t>(page_slot_.size() << page_bits));
+    if (slot.empty()) continue;
+    if (slot.half_edges == 0) count_elements(slot);
+    face_count_ += slot.faces;
     page_slot_.resize(page_slot_.size() + (slot.half_edges >> page_bits) + 1, s);
   }
   if (page_slot_.size() >= std::size_t(1) << (30 - page_bits))

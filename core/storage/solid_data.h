@@ -25,7 +25,7 @@ struct Slot {
       links;            ///< per border edge of the block; none if there is none
   bool turned = false;  ///< all half-edges run the other way: the material is on the other side
   /// Of the block, once the slot is in a solid: not to go to each block for them.
-  std::uint32_t faces = 0, half_edges = 0;
+  std::uint32_t faces = 0, half_edges = 0, pieces = 0;
 
   bool empty() const { return !block; }
   // Half-edges as they run in the solid.

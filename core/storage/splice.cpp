@@ -28,12 +28,13 @@ void add_part(SharedSlots& shared, const NewPart& part) {
   }
 }
 
-// Closes the gaps if most slots are empty.
+// Closes the gaps if there are many: an empty slot costs little, but all blocks are linked anew.
 void compact(SharedSlots& shared) {
   const std::vector<Slot>& slots = shared.slots;
   const auto empty = static_cast<std::size_t>(
       std::count_if(slots.begin(), slots.end(), [](const Slot& s) { return s.empty(); }));
-  if (2 * empty <= slots.size()) return;
+  constexpr std::size_t most_slots_a_block = 8;
+  if (slots.size() <= most_slots_a_block * (slots.size() - empty)) return;
   std::vector<std::uint32_t> gaps_before(slots.size());
   std::uint32_t gaps = 0;
   for (std::uint32_t s = 0; s < slots.size(); ++s) {

@@ -175,7 +175,15 @@ class Labelling {
 
   void spread_face(std::uint32_t s, FaceId face) {
     const std::uint8_t label = rest_.of_member(s, face.value());
-    for_each_in_face(slot(s).block->brep, face, [&](HalfEdgeId h) { spread_across(s, h, label); });
+    const Block& block = *slot(s).block;
+    for_each_in_face(block.brep, face, [&](HalfEdgeId h) {
+      if (block.is_border(h)) return spread_across(s, h, label);
+      const FaceId beyond = block.brep.face_of(Brep::twin(h));
+      if (rest_.of_member(s, beyond.value()) == RestLabels::loaded)
+        set_loaded(loaded_beyond(s, h), label);
+      else
+        set_member(s, beyond.value(), label);
+    });
   }
 
   // All faces of a piece have its label; it ends at the block's borders.
@@ -197,13 +205,16 @@ class Labelling {
     const auto [t, beyond] = solid().across(s, h);
     const FaceId face = slot(t).block->brep.face_of(beyond);
     if (rest_.is_loaded(t, face))
-      set_loaded(brep_.face_of(Brep::twin(open_end(solid().half_edge(s, h)))), label);
+      set_loaded(loaded_beyond(s, h), label);
     else
       set_rest(t, face, label);
   }
 
-  // The loaded half-edge that stands for one of a face that is not loaded.
-  HalfEdgeId open_end(HalfEdgeId in_solid) { return HalfEdgeId(open_ends_[in_solid.value()]); }
+  // The loaded face across a half-edge of a face that is not loaded.
+  FaceId loaded_beyond(std::uint32_t s, HalfEdgeId h) {
+    const HalfEdgeId open_end(open_ends_[solid().half_edge(s, h).value()]);
+    return brep_.face_of(Brep::twin(open_end));
+  }
 
   void visit_untouched_shells() {
     std::optional<FreePoints> points;

@@ -17,9 +17,7 @@ RestLabels::RestLabels(const Patch& patch) {
 }
 
 std::uint32_t RestLabels::count(std::uint32_t slot) const {
-  const Slot& s = solid_->slot(slot);
-  if (s.empty()) return 0;
-  return is_touched(slot) ? s.faces : s.block->pieces().count;
+  return is_touched(slot) ? solid_->slot(slot).faces : solid_->slot(slot).pieces;
 }
 
 void RestLabels::add_members(std::uint32_t slot) {

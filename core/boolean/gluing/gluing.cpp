@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "boolean/side_by_side.h"
 #include "sectile/errors.h"
 #include "storage/geometry_loader.h"
 #include "storage/trimmed_blocks.h"
@@ -32,8 +33,8 @@ class Gluer {
     for (const Operand s : both_operands) {
       partner_[s].resize(w.patch[s].brep.half_edge_count(), {Operand::a, loaded, HalfEdgeId()});
       made_loaded_[s].resize(w.patch[s].brep.half_edge_count());
-      share_blocks(s);
     }
+    share_blocks();
   }
 
   void pair_sides(const Neighborhoods& n, std::span<const WedgePair> wedges,
@@ -79,23 +80,35 @@ class Gluer {
 
   bool turns(Operand s) const { return reversed(operation_, s); }
 
+  void share_blocks() {
+    std::vector<Slot>& slots = glued_.shared.slots;
+    for (const Operand s : both_operands) {
+      first_slot_[s] = static_cast<std::uint32_t>(slots.size());
+      if (kept_.rest[s].empty()) continue;
+      const SolidData& solid = *w_.patch[s].solid;
+      copied_[s].resize(solid.slots().size());
+      slots.resize(slots.size() + solid.slots().size());
+      trimmed_[s].emplace(solid);
+    }
+    for_both_operands(slots.size(), [&](Operand s) {
+      if (trimmed_[s]) share_blocks(s);
+    });
+    for (const Operand s : both_operands)
+      if (trimmed_[s]) trimmed_[s]->link(glued_.shared, first_slot_[s]);
+  }
+
   // Blocks stay, are trimmed or, if they have few faces, made anew with what is glued.
   void share_blocks(Operand s) {
-    std::vector<Slot>& slots = glued_.shared.slots;
-    first_slot_[s] = static_cast<std::uint32_t>(slots.size());
     const RestLabels& rest = kept_.rest[s];
-    if (rest.empty()) return;
     const SolidData& solid = *w_.patch[s].solid;
-    copied_[s].resize(solid.slots().size());
-    slots.resize(slots.size() + solid.slots().size());
-    TrimmedBlocks& trimmed = trimmed_[s].emplace(solid);
+    const std::span<Slot> slots = std::span(glued_.shared.slots).subspan(first_slot_[s]);
     std::vector<TrimmedBlocks::Rest> rests;
     for (std::uint32_t t = 0; t < solid.slots().size(); ++t) {
       const Slot& slot = solid.slot(t);
       if (slot.empty() || !rest.has(t, 1)) continue;
       if (!rest.is_touched(t) && rest.has_only(t, 1) && slot.faces >= few_faces) {
-        Slot& shared = slots[first_slot_[s] + t] = slot;
-        shared.turned = slot.turned != turns(s);
+        slots[t] = slot;
+        slots[t].turned = slot.turned != turns(s);
       } else if (std::vector<FaceId> faces = those_that_stay(rest, t, *slot.block);
                  solid.slots().size() > 1 && faces.size() >= few_faces) {
         rests.push_back({t, std::move(faces)});
@@ -103,10 +116,10 @@ class Gluer {
         copied_[s][t] = std::make_unique<Copied>(*slot.block, glued_.geometry);
       }
     }
+    TrimmedBlocks& trimmed = *trimmed_[s];
     trimmed.trim(std::move(rests));
     for (const std::uint32_t t : trimmed.slots())
-      slots[first_slot_[s] + t] = {trimmed[t]->block(), nullptr, solid.slot(t).turned != turns(s)};
-    trimmed.link(glued_.shared, first_slot_[s]);
+      slots[t] = {trimmed[t]->block(), nullptr, solid.slot(t).turned != turns(s)};
   }
 
   static std::vector<FaceId> those_that_stay(const RestLabels& rest, std::uint32_t slot,
