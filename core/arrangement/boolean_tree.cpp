@@ -7,7 +7,7 @@
 #include <span>
 
 #include "parallel/parallel.h"
-#include "search/morton.h"
+#include "search/hilbert.h"
 #include "storage/solid_data.h"
 
 namespace sectile::arrangement {
@@ -60,9 +60,9 @@ std::vector<Solid> in_order(const std::vector<Solid>& solids) {
                  [&](std::size_t i) { boxes[i] = solids[i].data()->slot_tree().bounds(); });
   Box all;
   for (const Box& b : boxes) all.add(b);
-  const Morton morton(all);
+  const HilbertCurve curve(all);
   std::vector<std::pair<std::uint32_t, std::size_t>> keys;
-  for (std::size_t i = 0; i < boxes.size(); ++i) keys.push_back({morton(boxes[i]), i});
+  for (std::size_t i = 0; i < boxes.size(); ++i) keys.push_back({curve(boxes[i]), i});
   std::sort(keys.begin(), keys.end());
   std::vector<Solid> sorted;
   for (const auto& [key, i] : keys) sorted.push_back(solids[i]);

@@ -1,7 +1,7 @@
 #include "search/box_tree.h"
 
 #include "parallel/parallel.h"
-#include "search/morton.h"
+#include "search/hilbert.h"
 
 namespace sectile {
 namespace {
@@ -35,10 +35,10 @@ BoxTree::BoxTree(const std::vector<Box>& boxes, const std::vector<std::uint32_t>
   if (boxes.empty()) return;
   Box all;
   for (const Box& b : boxes) all.add(b);
-  const Morton morton(all);
+  const HilbertCurve curve(all);
   std::vector<std::uint64_t> keys(boxes.size());
   for_range(boxes.size(), [&](std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < to; ++i) keys[i] = std::uint64_t(morton(boxes[i])) << 32 | i;
+    for (std::size_t i = from; i < to; ++i) keys[i] = std::uint64_t(curve(boxes[i])) << 32 | i;
   });
   if (keys.size() < parallel_from) {
     std::sort(keys.begin(), keys.end());

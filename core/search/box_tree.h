@@ -1,4 +1,5 @@
-// A bounding volume hierarchy over boxes: leaves in Morton order, levels of pairs above them.
+// A bounding volume hierarchy over boxes: leaves in the order of a curve, levels of pairs above
+// them.
 #pragma once
 
 #include <cstdint>
@@ -111,7 +112,7 @@ class BoxTree {
       if (meets(item_boxes_[i])) visit(items_[i]);
   }
 
-  std::vector<std::uint32_t> items_;      // in Morton order
+  std::vector<std::uint32_t> items_;      // in the order of a curve
   std::vector<Box> item_boxes_;           // in the same order
   std::vector<std::vector<Box>> levels_;  // leaves first, the root last
   // The common group of all items of a node, or no_group. Empty if there are no groups.

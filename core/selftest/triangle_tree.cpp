@@ -31,7 +31,7 @@ void sort_along_curve(std::vector<std::uint32_t>& triangles, const TriangleSurfa
   Box all;
   for (const Box& b : boxes) all.add(b);
   const std::vector<std::uint32_t> order =
-      order_along_curve(boxes.size(), all, [&](std::size_t i) { return boxes[i]; });
+      numbers_of(keys_along_curve(boxes.size(), all, [&](std::size_t i) { return boxes[i]; }));
   for_range(order.size(),
             [&, given = triangles](std::size_t i) { triangles[i] = given[order[i]]; });
 }

@@ -23,8 +23,8 @@ struct EightBoxes {
   unsigned overlapping(const Box& box) const;
 };
 
-/// Triangles in Morton order. Node i of level 0 has the triangles 8 i to 8 i + 7 of that order, and
-/// node i of level l + 1 the nodes 8 i to 8 i + 7 of level l.
+/// Triangles in the order of a curve. Node i of level 0 has the triangles 8 i to 8 i + 7 of that
+/// order, and node i of level l + 1 the nodes 8 i to 8 i + 7 of level l.
 class TriangleTree {
  public:
   TriangleTree() = default;

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "parallel/parallel.h"
+#include "search/curve_groups.h"
 #include "search/curve_order.h"
 #include "search/face_tree.h"
 #include "storage/block_of_faces.h"
@@ -17,20 +18,12 @@ constexpr std::uint32_t none = 0xFFFFFFFFu;
 class Groups {
  public:
   explicit Groups(const PartToCut& part) : part_(part), of_face_(part.brep.face_count(), none) {
-    const std::vector<std::uint32_t> most = most_faces();
-    std::size_t corners = 0;
-    for (const std::uint32_t f : faces_in_order()) {
-      const std::size_t more = corners_of(FaceId(f));
-      if (faces_.empty() || faces_.size() - end_.back() >= most[shell(f)] ||
-          shell(f) != shell(faces_.back().value()) || corners + more > corners_of_a_block) {
-        end_.push_back(static_cast<std::uint32_t>(faces_.size()));
-        corners = 0;
-      }
-      corners += more;
-      faces_.push_back(FaceId(f));
-      of_face_[f] = static_cast<std::uint32_t>(end_.size() - 1);
+    const std::vector<std::uint64_t> keys = keys_in_order();
+    for (std::size_t from = 0, to; from < keys.size(); from = to) {
+      for (to = from + 1; to < keys.size() && shell(face(keys[to])) == shell(face(keys[from]));)
+        ++to;
+      add_shell(std::span(keys).subspan(from, to - from));
     }
-    end_.push_back(static_cast<std::uint32_t>(faces_.size()));
   }
 
   std::size_t count() const { return end_.size() - 1; }
@@ -47,7 +40,34 @@ class Groups {
     return corners;
   }
 
+  static std::uint32_t face(std::uint64_t key) { return static_cast<std::uint32_t>(key); }
   std::uint32_t shell(std::uint32_t f) const { return part_.shell.empty() ? 0 : part_.shell[f]; }
+
+  // A small shell stays in one block.
+  void add_shell(std::span<const std::uint64_t> keys) {
+    std::vector<std::uint32_t> ends;
+    if (keys.size() <= most_faces_of_a_block)
+      ends.push_back(static_cast<std::uint32_t>(keys.size()));
+    else
+      add_groups_along_curve(keys, few_faces, faces_of_a_block, 0, ends);
+    std::size_t from = 0;
+    for (const std::uint32_t end : ends) {
+      std::size_t corners = 0;
+      for (; from < end; ++from) {
+        const FaceId f(face(keys[from]));
+        const std::size_t more = corners_of(f);
+        if (corners > 0 && corners + more > corners_of_a_block) {
+          close();
+          corners = 0;
+        }
+        corners += more;
+        faces_.push_back(f);
+        of_face_[f.value()] = static_cast<std::uint32_t>(end_.size() - 1);
+      }
+      close();
+    }
+  }
+  void close() { end_.push_back(static_cast<std::uint32_t>(faces_.size())); }
 
   std::vector<std::uint32_t> sizes_of_shells() const {
     std::vector<std::uint32_t> size(1, 0);
@@ -58,15 +78,8 @@ class Groups {
     return size;
   }
 
-  // A small shell stays in one block.
-  std::vector<std::uint32_t> most_faces() const {
-    std::vector<std::uint32_t> most = sizes_of_shells();
-    for (std::uint32_t& n : most)
-      if (n == 0 || n > most_faces_of_a_block) n = std::uint32_t(faces_of_a_block);
-    return most;
-  }
-
-  std::vector<std::uint32_t> faces_in_order() const {
+  // Shell by shell, along the curve.
+  std::vector<std::uint64_t> keys_in_order() const {
     const Brep& brep = part_.brep;
     std::vector<Box> boxes(brep.face_count());
     parallel::loop(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
@@ -75,23 +88,24 @@ class Groups {
     });
     Box all;
     for (const Box& b : boxes) all.add(b);
-    std::vector<std::uint32_t> at = sizes_of_shells(), faces(brep.face_count());
+    std::vector<std::uint32_t> at = sizes_of_shells();
     std::exclusive_scan(at.begin(), at.end(), at.begin(), 0u);
+    std::vector<std::uint64_t> keys(brep.face_count());
     std::size_t count = 0;
-    for (const std::uint32_t f :
-         order_along_curve(boxes.size(), all, [&](std::size_t i) { return boxes[i]; })) {
-      if (!is_real(f)) continue;
-      faces[at[shell(f)]++] = f;
+    for (const std::uint64_t key :
+         keys_along_curve(boxes.size(), all, [&](std::size_t i) { return boxes[i]; })) {
+      if (!is_real(face(key))) continue;
+      keys[at[shell(face(key))]++] = key;
       ++count;
     }
-    faces.resize(count);
-    return faces;
+    keys.resize(count);
+    return keys;
   }
   bool is_real(std::size_t f) const { return part_.brep.kind_of(FaceId(f)) == FaceKind::real; }
 
   const PartToCut& part_;
   std::vector<FaceId> faces_;
-  std::vector<std::uint32_t> end_, of_face_;
+  std::vector<std::uint32_t> end_ = {0}, of_face_;
 };
 
 class Cutter {

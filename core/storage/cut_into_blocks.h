@@ -13,7 +13,7 @@ inline constexpr std::size_t most_faces_of_a_block = 4, faces_of_a_block = 3, fe
 #else
 /// A boundary of up to so many faces stays in one block; a larger one is cut into blocks of so
 /// many; blocks of few faces are made anew with others that are, lest blocks become many.
-inline constexpr std::size_t most_faces_of_a_block = 256, faces_of_a_block = 128, few_faces = 32;
+inline constexpr std::size_t most_faces_of_a_block = 256, faces_of_a_block = 192, few_faces = 32;
 #endif
 
 /// A border edge of the block in a slot, and the piece of the block to which it belongs.

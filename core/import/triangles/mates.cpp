@@ -47,8 +47,8 @@ class LineTable {
   }
 
  private:
-  static constexpr int bits = 10;
-  static_assert(2 * 3 * TriangleMesh::of_a_chunk < 1u << bits);
+  static constexpr int bits = 11;
+  static_assert(2 * 3 * TriangleMesh::most_of_a_chunk < 1u << bits);
   struct Slot {
     std::uint64_t line = 0;
     std::uint32_t corner = none, round = 0;
@@ -74,16 +74,18 @@ class MateFinder {
     DisjointSets sets(mesh_.triangle_count());
     for (std::size_t i = 0; i < all_open_.size(); i += 2)
       sets.unite(piece(all_open_[i].corner), piece(all_open_[i + 1].corner));
-    for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t)
-      if (piece(3 * t) == t && sets.first(t) != 0) return false;
+    for (std::uint32_t c = 0; c < mesh_.chunk_count(); ++c)
+      for (std::uint32_t t = mesh_.chunk_begin(c); t < mesh_.chunk_end(c); ++t)
+        if (pieces_[c][t - mesh_.chunk_begin(c)] == t - mesh_.chunk_begin(c) && sets.first(t) != 0)
+          return false;
     return true;
   }
 
  private:
   // The triangles of a chunk that hang together over its edges: of place i in the chunk, the least
   // one with which it does.
-  using Pieces = std::array<std::uint8_t, TriangleMesh::of_a_chunk>;
-  static_assert(TriangleMesh::of_a_chunk <= 256);
+  using Pieces = std::array<std::uint8_t, TriangleMesh::most_of_a_chunk>;
+  static_assert(TriangleMesh::most_of_a_chunk <= 256);
 
   void match_within_chunks() {
     tbb::enumerable_thread_specific<LineTable> tables;
@@ -108,7 +110,7 @@ class MateFinder {
       }
       if (known == none || mesh_.from(known) == mesh_.from(corner)) return false;
       pair(known, corner);
-      unite(pieces, place_in_chunk(known), place_in_chunk(corner));
+      unite(pieces, place_in_chunk(known, chunk), place_in_chunk(corner, chunk));
       known = none;
     }
     for (std::uint32_t corner = begin; corner < end; ++corner)
@@ -116,8 +118,8 @@ class MateFinder {
     return true;
   }
 
-  static std::uint8_t place_in_chunk(std::uint32_t corner) {
-    return static_cast<std::uint8_t>(corner / 3 % TriangleMesh::of_a_chunk);
+  std::uint8_t place_in_chunk(std::uint32_t corner, std::uint32_t chunk) const {
+    return static_cast<std::uint8_t>(corner / 3 - mesh_.chunk_begin(chunk));
   }
   static std::uint8_t first(const Pieces& pieces, std::uint8_t i) {
     while (pieces[i] != i) i = pieces[i];
@@ -155,8 +157,8 @@ class MateFinder {
 
   // A piece goes by its least triangle.
   std::uint32_t piece(std::uint32_t corner) const {
-    const std::uint32_t chunk = TriangleMesh::chunk_of(corner);
-    return mesh_.chunk_begin(chunk) + first(pieces_[chunk], place_in_chunk(corner));
+    const std::uint32_t chunk = mesh_.chunk_of(corner);
+    return mesh_.chunk_begin(chunk) + first(pieces_[chunk], place_in_chunk(corner, chunk));
   }
 
   TriangleMesh& mesh_;

@@ -14,6 +14,7 @@
 #include "import/triangles/triangle_mesh.h"
 #include "import/unite_positions.h"
 #include "parallel/parallel.h"
+#include "search/curve_groups.h"
 #include "search/curve_order.h"
 #include "storage/splice.h"
 
@@ -60,11 +61,15 @@ bool read_mesh(const SoupView& soup, TriangleMesh& mesh) {
   const std::vector<PointId> corners = read_corners(soup, mesh.geometry);
   Bounds all;
   for (const Vec3& p : geometry.positions) all.add(p);
-  mesh.source = order_along_curve(corners.size() / 3, all.box(), [&](std::size_t t) {
+  const auto keys = keys_along_curve(corners.size() / 3, all.box(), [&](std::size_t t) {
     const Vec3 &a = geometry.position(corners[3 * t]), &b = geometry.position(corners[3 * t + 1]),
                &c = geometry.position(corners[3 * t + 2]);
     return Vec3{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
   });
+  mesh.source = numbers_of(keys);
+  mesh.chunk_begins = {0};
+  add_groups_along_curve(keys, few_faces, faces_of_a_block, 0, mesh.chunk_begins);
+  mesh.index_chunks();
   mesh.corners.resize(corners.size());
   return holds_for_all(mesh.triangle_count(), [&](std::size_t t) {
     for (std::size_t k = 0; k < 3; ++k)

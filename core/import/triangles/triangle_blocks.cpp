@@ -44,7 +44,7 @@ class BlockMaker {
 
   bool leaves(std::uint32_t corner, std::uint32_t chunk) const {
     const std::uint32_t beyond = mesh_.mate[corner];
-    return TriangleMesh::chunk_of(beyond) != chunk || part_.holds[beyond / 3] != 0;
+    return !mesh_.is_in_chunk(beyond, chunk) || part_.holds[beyond / 3] != 0;
   }
 
   void make(std::uint32_t chunk) {
@@ -129,7 +129,7 @@ class BlockMaker {
   static PointId point(const Brep& brep, HalfEdgeId h) { return brep.point_of(brep.from(h)); }
 
   BorderEdge border_edge(std::uint32_t corner) const {
-    const std::uint32_t slot = TriangleMesh::chunk_of(corner);
+    const std::uint32_t slot = mesh_.chunk_of(corner);
     const HalfEdgeId h = local_[corner];
     const Block& block = *blocks_[slot];
     const Pieces& pieces = block.pieces();

@@ -25,15 +25,30 @@ struct TriangleMesh {
   /// Per corner: the one whose half-edge runs the other way between the same points.
   std::vector<std::uint32_t> mate;
 
-  static constexpr std::uint32_t of_a_chunk = faces_of_a_block;
+  /// The first triangle of each chunk, and the end.
+  std::vector<std::uint32_t> chunk_begins;
+  static constexpr std::uint32_t most_of_a_chunk = faces_of_a_block + 2 * few_faces;
 
   std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(source.size()); }
-  std::uint32_t chunk_count() const { return (triangle_count() + of_a_chunk - 1) / of_a_chunk; }
-  std::uint32_t chunk_begin(std::uint32_t c) const { return c * of_a_chunk; }
-  std::uint32_t chunk_end(std::uint32_t c) const {
-    return std::min((c + 1) * of_a_chunk, triangle_count());
+  std::uint32_t chunk_count() const { return static_cast<std::uint32_t>(chunk_begins.size() - 1); }
+  std::uint32_t chunk_begin(std::uint32_t c) const { return chunk_begins[c]; }
+  std::uint32_t chunk_end(std::uint32_t c) const { return chunk_begins[c + 1]; }
+  bool is_in_chunk(std::uint32_t corner, std::uint32_t c) const {
+    return chunk_begin(c) <= corner / 3 && corner / 3 < chunk_end(c);
   }
-  static std::uint32_t chunk_of(std::uint32_t corner) { return corner / (3 * of_a_chunk); }
+  std::uint32_t chunk_of(std::uint32_t corner) const {
+    std::uint32_t c = near_chunk[corner / 3 / near_triangles];
+    while (corner / 3 >= chunk_end(c)) ++c;
+    return c;
+  }
+  /// Per so many triangles: the chunk of the first one.
+  static constexpr std::uint32_t near_triangles = 64;
+  std::vector<std::uint32_t> near_chunk;
+  /// After chunk_begins was set.
+  void index_chunks() {
+    for (std::uint32_t c = 0; c < chunk_count(); ++c)
+      near_chunk.resize((chunk_end(c) + near_triangles - 1) / near_triangles, c);
+  }
 
   static std::uint32_t next(std::uint32_t corner) {
     return corner % 3 == 2 ? corner - 2 : corner + 1;
