@@ -271,6 +271,22 @@ void add_pairs(const Workspace& w, const SolidData& a, const SolidData& b, const
   for (const FacePairs& part : parts) append(pairs, part);
 }
 
+// Large ones beside each other, with geometries of their own at first.
+void load_patches(Workspace& w, const SolidData& a, const std::vector<FaceId>& of_a,
+                  const SolidData& b, const std::vector<FaceId>& of_b) {
+  constexpr std::size_t few = 500;
+  Patch &patch_a = w.patch[Operand::a], &patch_b = w.patch[Operand::b];
+  if (of_a.size() < few || of_b.size() < few) {
+    patch_a = load_patch(a, of_a, w.geometry);
+    patch_b = load_patch(b, of_b, w.geometry);
+    return;
+  }
+  Geometry geometry_of_b;
+  parallel::invoke([&] { patch_a = load_patch(a, of_a, w.geometry); },
+                   [&] { patch_b = load_patch(b, of_b, geometry_of_b); });
+  move_to_end(patch_b, geometry_of_b, w.geometry);
+}
+
 }  // namespace
 
 void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs) {
@@ -287,8 +303,7 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs
     of_b.mark(g);
   }
   hubs.mark_faces(of_a, of_b);
-  w.patch[Operand::a] = load_patch(a, of_a.marked(), w.geometry);
-  w.patch[Operand::b] = load_patch(b, of_b.marked(), w.geometry);
+  load_patches(w, a, of_a.marked(), b, of_b.marked());
   w.kernel = std::make_unique<Kernel>(w.geometry);
   for (Patch& patch : w.patch) complete_patch(patch, w.geometry, *w.kernel);
   for (auto& [f, g] : pairs) {

@@ -11,13 +11,17 @@ namespace {
 
 constexpr std::size_t many_corners = 24;
 
+void shift(Brep& brep, const GeometryOffset& offset) {
+  for (PlaneId& s : brep.plane) s = offset.plane(s);
+  for (PlaneId& s : brep.edge_plane) s = offset.plane(s);
+  for (PointId& p : brep.point) p = offset.point(p);
+}
+
 Patch load_whole(const SolidData& solid, Geometry& geometry) {
   Patch patch;
   const GeometryOffset offset = append_geometry(solid.geometry(), geometry);
   patch.brep = solid.brep();
-  for (PlaneId& s : patch.brep.plane) s = offset.plane(s);
-  for (PlaneId& s : patch.brep.edge_plane) s = offset.plane(s);
-  for (PointId& p : patch.brep.point) p = offset.point(p);
+  shift(patch.brep, offset);
   patch.brep.kind.assign(patch.brep.face_count(), FaceKind::real);
   patch.face_in_solid.resize(patch.brep.face_count());
   for (std::size_t f = 0; f < patch.face_in_solid.size(); ++f) patch.face_in_solid[f] = FaceId(f);
@@ -192,6 +196,12 @@ Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geome
   patch.loaded_edges = patch.brep.edge_count();
   patch.loaded_vertices = patch.brep.vertex_count();
   return patch;
+}
+
+void move_to_end(Patch& patch, const Geometry& own, Geometry& geometry) {
+  const GeometryOffset offset = append_geometry(own, geometry);
+  shift(patch.brep, offset);
+  for (PlaneId& s : patch.side_plane) s = offset.plane(s);
 }
 
 void Patch::reserve(std::size_t more_edges) {

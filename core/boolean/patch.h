@@ -65,6 +65,8 @@ struct Patch {
 
 /// Loads the given faces (ascending) of a solid; its points and planes are added to `geometry`.
 Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry);
+/// Appends the geometry of a patch to another one, of which the patch's is a part then.
+void move_to_end(Patch& patch, const Geometry& own, Geometry& geometry);
 
 /// Loads a point; it may become a second one at the same place.
 PointId load_point(const Geometry& from, PointId point, Geometry& to);
