@@ -21,7 +21,6 @@ std::shared_ptr<const SolidData> moved(const SolidData& solid, const Frame& fram
   });
   auto image = std::make_shared<SolidData>(std::move(slots), solid.touches_itself());
   image->origin = solid.origin;
-  if (solid.is_known_as_one_shell()) image->know_as_one_shell();
   return image;
 }
 

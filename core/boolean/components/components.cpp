@@ -33,7 +33,10 @@ class Labelling {
   void spread_from_segments(const Neighborhoods& neighborhoods, const JoinedCuts& joined) {
     loaded_.assign(brep_.face_count(), unknown);
     if (!patch_.unbounded) rest_ = RestLabels(patch_);
-    if (!rest_.empty()) find_open_ends();
+    if (!rest_.empty()) {
+      label_far();
+      find_open_ends();
+    }
     seed_from_segments(neighborhoods, joined);
     spread();
   }
@@ -51,14 +54,20 @@ class Labelling {
     std::uint32_t slot, member;
   };
   static constexpr std::uint32_t loaded_slot = 0xFFFFFFFFu;
-  // Where a label may spread further.
-  struct Front {
-    std::uint8_t label;
-    std::vector<Pending> pending;
-  };
 
   const SolidData& solid() const { return *patch_.solid; }
   const Slot& slot(std::uint32_t s) const { return patch_.solid->slot(s); }
+
+  // What is beyond the box around the other solid is outside of it.
+  void label_far() {
+    const Patch& across = w_.patch[other(operand_)];
+    if (across.unbounded || across.solid->slot_tree().empty()) return;
+    const Box& bounds = across.solid->slot_tree().bounds();
+    solid().slot_tree().query(
+        [&](const Box& box) { return box.overlaps(bounds); },
+        [&](std::uint32_t i) { near_.push_back(solid().slots_in_tree()[i]); });
+    rest_.label_all_but(near_, label_(operand_, Class::out));
+  }
 
   void find_open_ends() {
     for (const HalfEdgeId here : patch_.half_edge_in_solid.ids())
@@ -75,13 +84,13 @@ class Labelling {
     return true;
   }
   void set_loaded(FaceId f, std::uint8_t label) {
-    if (set(loaded_[f], label)) front(label).push_back({loaded_slot, f.value()});
+    if (set(loaded_[f], label)) front_.push_back({loaded_slot, f.value()});
   }
   void set_rest(std::uint32_t s, FaceId local, std::uint8_t label) {
     set_member(s, rest_.member(s, local), label);
   }
   void set_member(std::uint32_t s, std::uint32_t member, std::uint8_t label) {
-    if (set(rest_.of_member(s, member), label)) front(label).push_back({s, member});
+    if (set(rest_.of_member(s, member), label)) front_.push_back({s, member});
   }
 
   void seed_from_segments(const Neighborhoods& n, const JoinedCuts& joined) {
@@ -97,45 +106,11 @@ class Labelling {
     }
   }
 
-  // The labels spread in turns. In one shell, what the last of them would reach is all that the
-  // others have not: so the cost is that of the smaller parts.
   void spread() {
-    while (const std::size_t busy = busy_fronts()) {
-      if (busy == 1 && is_one_shell()) return label_others();
-      for (std::size_t i = 0; i < fronts_.size(); ++i) {
-        std::vector<Pending>& pending = fronts_[i].pending;
-        if (pending.empty()) continue;
-        const Pending next = pending.back();
-        pending.pop_back();
-        spread(next);
-      }
-    }
-  }
-
-  bool is_one_shell() {
-    if (!one_shell_) one_shell_ = !rest_.empty() && solid().is_known_as_one_shell();
-    return *one_shell_;
-  }
-
-  std::size_t busy_fronts() const {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(fronts_, [](const Front& f) { return !f.pending.empty(); }));
-  }
-
-  std::vector<Pending>& front(std::uint8_t label) {
-    for (Front& f : fronts_)
-      if (f.label == label) return f.pending;
-    return fronts_.emplace_back(Front{label, {}}).pending;
-  }
-
-  // With the label of the only front that is left.
-  void label_others() {
-    for (Front& front : fronts_) {
-      if (front.pending.empty()) continue;
-      for (const FaceId f : loaded_.ids())
-        if (loaded_[f] == unknown && patch_.is_real(f)) loaded_[f] = front.label;
-      rest_.label_others(front.label);
-      front.pending.clear();
+    while (!front_.empty()) {
+      const Pending next = front_.back();
+      front_.pop_back();
+      spread(next);
     }
   }
 
@@ -218,6 +193,7 @@ class Labelling {
 
   void visit_untouched_shells() {
     std::optional<FreePoints> points;
+    if (!rest_.empty()) spread_from_far();
     for (const FaceId f : loaded_.ids()) {
       if (loaded_[f] != unknown || !patch_.is_real(f)) continue;
       if (patch_.unbounded) {  // nothing meets the plane: no part of it is inside the solid
@@ -231,24 +207,35 @@ class Labelling {
     if (rest_.empty()) return;
     for (std::uint32_t s = 0; s < solid().slots().size(); ++s) {
       if (!rest_.has(s, unknown)) continue;
-      for (std::uint32_t m = 0; m < rest_.count(s); ++m)
-        if (rest_.of_member(s, m) == unknown) settle(s, m);
+      for (std::uint32_t m = 0; m < rest_.count(s); ++m) {
+        if (rest_.of_member(s, m) != unknown) continue;
+        settle_by_ray(s, m);
+        spread();
+      }
     }
   }
 
-  void settle(std::uint32_t s, std::uint32_t member) {
-    if (is_far(slot(s)))
-      set_member(s, member, label_(operand_, Class::out));
-    else
-      settle_by_ray(s, member);
+  // What no segment has reached may hang together with what is far.
+  void spread_from_far() {
+    for (const HalfEdgeId here : patch_.half_edge_in_solid.ids()) {
+      const HalfEdgeId h = patch_.half_edge_in_solid[here];
+      if (!h.valid() || !rest_.is_far(solid().slot_of(h))) continue;
+      const FaceId face = brep_.face_of(Brep::twin(here));
+      if (loaded_[face] == unknown) set_loaded(face, rest_.far_label());
+    }
+    for (const std::uint32_t s : near_)
+      if (rest_.has(s, unknown)) spread_from_far_neighbours(s);
     spread();
   }
 
-  // Most shells are nowhere near the other solid.
-  bool is_far(const Slot& slot) const {
-    const Patch& across = w_.patch[other(operand_)];
-    return !across.unbounded && !across.solid->slot_tree().empty() &&
-           !across.solid->slot_tree().bounds().overlaps(slot.block->bounds());
+  void spread_from_far_neighbours(std::uint32_t s) {
+    const Block& block = *slot(s).block;
+    for (std::uint32_t border = 0; border < block.border_count; ++border) {
+      const HalfEdgeId h = Brep::half_edge(EdgeId(border));
+      const std::uint32_t member = rest_.member(s, block.brep.face_of(h));
+      if (rest_.of_member(s, member) == unknown && rest_.is_far(solid().across(s, h).slot))
+        set_member(s, member, rest_.far_label());
+    }
   }
 
   void settle_by_ray(std::uint32_t s, std::uint32_t member) {
@@ -277,8 +264,8 @@ class Labelling {
   Table<FaceId, std::uint8_t>& loaded_;
   RestLabels& rest_;
   IdMap open_ends_;
-  std::vector<Front> fronts_;
-  std::optional<bool> one_shell_;
+  std::vector<std::uint32_t> near_;  // the slots that are not far
+  std::vector<Pending> front_;       // from where labels may spread further
 };
 
 }  // namespace

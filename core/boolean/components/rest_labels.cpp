@@ -22,11 +22,11 @@ std::uint32_t RestLabels::count(std::uint32_t slot) const {
 
 void RestLabels::add_members(std::uint32_t slot) {
   first_[slot] = static_cast<std::uint32_t>(labels_.size());
-  labels_.resize(labels_.size() + count(slot), others_);
+  labels_.resize(labels_.size() + count(slot), unknown);
 }
 
 std::span<const std::uint8_t> RestLabels::labels(std::uint32_t slot) const {
-  if (first_[slot] == none) return {&others_, 1};
+  if (first_[slot] == none) return {&far_label_, 1};
   return std::span(labels_).subspan(first_[slot], count(slot));
 }
 
@@ -38,9 +38,10 @@ bool RestLabels::has_only(std::uint32_t slot, std::uint8_t label) const {
   return std::ranges::all_of(labels(slot), [&](std::uint8_t l) { return l == label; });
 }
 
-void RestLabels::label_others(std::uint8_t label) {
-  others_ = label;
-  std::ranges::replace(labels_, unknown, label);
+void RestLabels::label_all_but(std::span<const std::uint32_t> near, std::uint8_t label) {
+  for (const std::uint32_t slot : near)
+    if (first_[slot] == none) add_members(slot);
+  far_label_ = label;
 }
 
 }  // namespace sectile

@@ -1,8 +1,10 @@
 // Labels for what is not loaded of an operand: for each face in blocks of which faces are loaded,
-// and for each piece of the others. Blocks that no label reaches are not looked at.
+// and for each piece of the others. Those that are far have one label together, and are not looked
+// at.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "boolean/patch.h"
@@ -31,21 +33,24 @@ class RestLabels {
     return is_touched(slot) ? local.value()
                             : solid_->slot(slot).block->pieces().of_face[local.value()];
   }
-  /// Valid until the next call.
+  /// Valid until the next call; of what is far, not to be changed.
   std::uint8_t& of_member(std::uint32_t slot, std::uint32_t member) {
+    if (is_far(slot)) return far_label_;
     if (first_[slot] == none) add_members(slot);
     return labels_[first_[slot] + member];
   }
   /// The label of a face that is not loaded; `loaded` of others.
   std::uint8_t label(std::uint32_t slot, FaceId local) const {
-    return first_[slot] == none ? others_ : labels_[first_[slot] + member(slot, local)];
+    return first_[slot] == none ? far_label_ : labels_[first_[slot] + member(slot, local)];
   }
   /// Is there a face with this label in the slot, or are there only such?
   bool has(std::uint32_t slot, std::uint8_t label) const;
   bool has_only(std::uint32_t slot, std::uint8_t label) const;
 
-  /// Labels all that are unknown.
-  void label_others(std::uint8_t label);
+  /// All slots but those that are near or touched are far, with this label.
+  void label_all_but(std::span<const std::uint32_t> near, std::uint8_t label);
+  bool is_far(std::uint32_t slot) const { return first_[slot] == none && far_label_ != unknown; }
+  std::uint8_t far_label() const { return far_label_; }
 
  private:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
@@ -54,9 +59,9 @@ class RestLabels {
 
   const SolidData* solid_ = nullptr;
   std::vector<std::uint8_t> touched_;  // per slot
-  std::vector<std::uint32_t> first_;   // per slot: of its labels; none if all are `others_`
+  std::vector<std::uint32_t> first_;   // per slot: of its labels; none if it has none of its own
   std::vector<std::uint8_t> labels_;
-  std::uint8_t others_ = unknown;
+  std::uint8_t far_label_ = unknown;  // unknown if nothing is far
 };
 
 }  // namespace sectile

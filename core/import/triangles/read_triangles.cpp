@@ -143,7 +143,6 @@ std::shared_ptr<SolidData> read_triangles(const SoupView& soup, const ImportOpti
   std::shared_ptr<SolidData> data =
       splice(SharedSlots(std::move(blocks.slots)), std::move(rest), false);
   data->origin = origin;
-  data->know_as_one_shell();
   data->as_read = std::move(as_read);
   return data;
 }
