@@ -176,13 +176,14 @@ class Collector {
     std::uint32_t pieces = 0;
     for (const Slot& slot : slots_) {
       first.push_back(pieces);
-      if (!slot.empty()) pieces += slot.block->pieces().count;
+      pieces += slot.pieces;
     }
     DisjointSets sets(pieces);
     for (std::uint32_t s = 0; s < slots_.size(); ++s) {
-      if (slots_[s].empty() || !slots_[s].links) continue;
-      for (std::uint32_t p = 0; p < slots_[s].block->pieces().count; ++p)
-        for (const BorderLinks::Neighbour& n : slots_[s].links->neighbours(p))
+      const Slot& slot = slots_[s];
+      if (!slot.links) continue;
+      for (std::uint32_t p = 0; p < slot.pieces; ++p)
+        for (const BorderLinks::Neighbour& n : slot.links->neighbours(*slot.block, p))
           sets.unite(first[s] + p, first[s + static_cast<std::uint32_t>(n.slots)] + n.piece);
     }
     for (std::uint32_t p = 1; p < pieces; ++p)

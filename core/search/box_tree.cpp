@@ -1,5 +1,7 @@
 #include "search/box_tree.h"
 
+#include <numeric>
+
 #include "parallel/parallel.h"
 #include "search/hilbert.h"
 
@@ -29,10 +31,13 @@ std::vector<Box> pairs_above(const std::vector<Box>& below) {
   return level;
 }
 
-}  // namespace
+std::vector<std::uint32_t> as_given(std::size_t count) {
+  std::vector<std::uint32_t> items(count);
+  std::iota(items.begin(), items.end(), 0u);
+  return items;
+}
 
-BoxTree::BoxTree(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& group) {
-  if (boxes.empty()) return;
+std::vector<std::uint32_t> sorted_along_curve(const std::vector<Box>& boxes) {
   Box all;
   for (const Box& b : boxes) all.add(b);
   const HilbertCurve curve(all);
@@ -45,14 +50,23 @@ BoxTree::BoxTree(const std::vector<Box>& boxes, const std::vector<std::uint32_t>
   } else {
     parallel::sort(keys.begin(), keys.end());
   }
-  items_.resize(boxes.size());
+  std::vector<std::uint32_t> items(boxes.size());
+  for (std::size_t i = 0; i < items.size(); ++i) items[i] = static_cast<std::uint32_t>(keys[i]);
+  return items;
+}
+
+}  // namespace
+
+BoxTree::BoxTree(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& group,
+                 bool along_curve) {
+  if (boxes.empty()) return;
+  items_ = along_curve ? as_given(boxes.size()) : sorted_along_curve(boxes);
   item_boxes_.resize(boxes.size());
   std::vector<Box> leaves((boxes.size() + leaf_size - 1) / leaf_size);
   for_range(leaves.size(), [&](std::size_t from, std::size_t to) {
     for (std::size_t leaf = from; leaf < to; ++leaf) {
       const auto [begin, end] = range(static_cast<std::uint32_t>(leaf));
       for (std::uint32_t i = begin; i < end; ++i) {
-        items_[i] = static_cast<std::uint32_t>(keys[i]);
         item_boxes_[i] = boxes[items_[i]];
         leaves[leaf].add(item_boxes_[i]);
       }

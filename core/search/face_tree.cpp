@@ -33,8 +33,8 @@ std::vector<Box> face_boxes(const Brep& brep, const Geometry& geometry) {
 
 }  // namespace
 
-FaceTree::FaceTree(const Brep& brep, const Geometry& geometry, Hubs hubs)
-    : BoxTree(face_boxes(brep, geometry), hubs.of_face()), hubs_(std::move(hubs)) {}
+FaceTree::FaceTree(const Brep& brep, const Geometry& geometry, Hubs hubs, bool along_curve)
+    : BoxTree(face_boxes(brep, geometry), hubs.of_face(), along_curve), hubs_(std::move(hubs)) {}
 
 namespace {
 

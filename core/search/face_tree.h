@@ -18,14 +18,16 @@ Box face_box(const Brep& brep, const Geometry& geometry, FaceId face);
 /// The groups of the tree are the hubs.
 class FaceTree : public BoxTree {
  public:
-  FaceTree(const Brep& brep, const Geometry& geometry) : FaceTree(brep, geometry, Hubs(brep)) {}
+  /// `along_curve`: are neighbours among the faces neighbours in space?
+  FaceTree(const Brep& brep, const Geometry& geometry, bool along_curve)
+      : FaceTree(brep, geometry, Hubs(brep), along_curve) {}
   const Hubs& hubs() const { return hubs_; }
   /// Oriented boxes for the faces of which this was made, if they are much smaller than the
   /// axis-parallel ones. Found when first asked for, and then kept.
   const OrientedTree* oriented(const Brep& brep, const Geometry& geometry) const;
 
  private:
-  FaceTree(const Brep& brep, const Geometry& geometry, Hubs hubs);
+  FaceTree(const Brep& brep, const Geometry& geometry, Hubs hubs, bool along_curve);
   Hubs hubs_;
   mutable OnceFlag oriented_once_;
   mutable std::unique_ptr<OrientedTree> oriented_;

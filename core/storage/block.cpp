@@ -34,7 +34,9 @@ Pieces find_pieces(const Block& block) {
 }  // namespace
 
 const FaceTree& Block::tree() const {
-  once_alone(tree_once_, [this] { tree_ = std::make_unique<FaceTree>(brep, geometry); });
+  // A block that has neighbours was cut from a larger structure, along a curve.
+  once_alone(tree_once_,
+             [this] { tree_ = std::make_unique<FaceTree>(brep, geometry, border_count > 0); });
   return *tree_;
 }
 

@@ -31,8 +31,7 @@ struct Entry {
 
 }  // namespace
 
-BorderLinks::BorderLinks(const Block& block, std::vector<BorderLink> links)
-    : links_(std::move(links)) {
+void BorderLinks::find_neighbours(const Block& block) const {
   const Pieces& pieces = block.pieces();
   std::vector<Entry> entries;
   entries.reserve(links_.size());

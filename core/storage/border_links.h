@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "storage/block.h"
@@ -20,7 +21,7 @@ struct BorderLink {
 class BorderLinks {
  public:
   /// Per border edge of the block.
-  BorderLinks(const Block& block, std::vector<BorderLink> links);
+  explicit BorderLinks(std::vector<BorderLink> links) : links_(std::move(links)) {}
 
   const std::vector<BorderLink>& all() const { return links_; }
 
@@ -30,8 +31,10 @@ class BorderLinks {
     std::uint32_t piece;
     std::uint32_t first, last;
   };
-  /// Those of one of the block's pieces.
-  std::span<const Neighbour> neighbours(std::uint32_t own_piece) const {
+  /// Those of one of the pieces of the block, which is always the same one. Found when first asked
+  /// for, and then kept: most links are never asked.
+  std::span<const Neighbour> neighbours(const Block& block, std::uint32_t own_piece) const {
+    once_.run([&] { find_neighbours(block); });
     if (first_.empty()) return neighbours_;
     return std::span(neighbours_)
         .subspan(first_[own_piece], first_[own_piece + 1] - first_[own_piece]);
@@ -41,11 +44,14 @@ class BorderLinks {
   }
 
  private:
-  // Per piece: its first neighbour; and the end. Empty if there is one piece.
-  std::vector<std::uint32_t> first_;
-  std::vector<Neighbour> neighbours_;
+  void find_neighbours(const Block& block) const;
+
   std::vector<BorderLink> links_;
-  std::vector<std::uint32_t> by_neighbour_;
+  mutable OnceFlag once_;
+  // Per piece: its first neighbour; and the end. Empty if there is one piece.
+  mutable std::vector<std::uint32_t> first_;
+  mutable std::vector<Neighbour> neighbours_;
+  mutable std::vector<std::uint32_t> by_neighbour_;
 };
 
 }  // namespace sectile

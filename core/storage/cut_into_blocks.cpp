@@ -170,7 +170,7 @@ class Cutter {
       links[mine.border] = {static_cast<std::int32_t>(other.slot - mine.slot), other.border,
                             other.piece};
     }
-    links_[g] = std::make_shared<const BorderLinks>(*blocks_[g].block(), std::move(links));
+    links_[g] = std::make_shared<const BorderLinks>(std::move(links));
   }
 
   const PartToCut& part_;

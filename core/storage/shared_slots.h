@@ -46,7 +46,7 @@ struct SharedSlots {
     Slot& slot = slots[change.slot];
     slot.links = change.links.empty()
                      ? nullptr
-                     : std::make_shared<const BorderLinks>(*slot.block, std::move(change.links));
+                     : std::make_shared<const BorderLinks>(std::move(change.links));
   }
 
   std::vector<std::uint32_t> change_;  // per slot: its change, or none

@@ -166,7 +166,7 @@ class Labelling {
     const std::uint8_t label = rest_.of_member(s, piece);
     if (!slot(s).links) return;
     const BorderLinks& links = *slot(s).links;
-    for (const BorderLinks::Neighbour& n : links.neighbours(piece)) {
+    for (const BorderLinks::Neighbour& n : links.neighbours(*slot(s).block, piece)) {
       const std::uint32_t t = s + static_cast<std::uint32_t>(n.slots);
       if (!rest_.is_touched(t))
         set_member(t, n.piece, label);

@@ -147,8 +147,7 @@ class BlockMaker {
       links[local_[corner].value() / 2] = {static_cast<std::int32_t>(other.slot - chunk),
                                            other.border, other.piece};
     });
-    made_.slots[chunk].links =
-        std::make_shared<const BorderLinks>(*blocks_[chunk], std::move(links));
+    made_.slots[chunk].links = std::make_shared<const BorderLinks>(std::move(links));
   }
 
   const TriangleMesh& mesh_;
