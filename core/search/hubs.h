@@ -16,7 +16,7 @@ namespace sectile {
 class Hubs {
  public:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
-  static constexpr std::uint32_t least_faces = 48;
+  static constexpr std::uint32_t least_faces = 16;  ///< half of a small block
 
   Hubs() = default;
   explicit Hubs(const Brep& brep);
