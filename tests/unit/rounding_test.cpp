@@ -77,7 +77,8 @@ TEST_P(NearlyTheSame, CubesBesideThemselves) {
   expect_legal_results(a, turned(a, std::pow(10, -GetParam())));
 }
 
-INSTANTIATE_TEST_SUITE_P(Rounding, NearlyTheSame, testing::Values(3, 5, 7, 9, 11, 13, 15));
+INSTANTIATE_TEST_SUITE_P(Rounding, NearlyTheSame, testing::Values(3, 5, 7, 9, 11, 13, 15),
+                         [](const auto& test) { return "By1eMinus" + std::to_string(test.param); });
 
 TEST(Rounding, ChainsOfTurnedCubes) {
   const Solid cube = block({-1, -1, -1}, {1, 1, 1});

@@ -137,7 +137,13 @@ TEST_P(SameBits, ForAnyNumberOfThreads) {
 INSTANTIATE_TEST_SUITE_P(Operations, SameBits,
                          testing::Values(std::pair(Operation::unite, 18100002756849850158ull),
                                          std::pair(Operation::intersect, 14887977164967093380ull),
-                                         std::pair(Operation::subtract, 222026113072765052ull)));
+                                         std::pair(Operation::subtract, 222026113072765052ull)),
+                         [](const auto& test) {
+                           const Operation operation = test.param.first;
+                           return operation == Operation::unite       ? "Union"
+                                  : operation == Operation::intersect ? "Intersection"
+                                                                      : "Difference";
+                         });
 
 }  // namespace
 }  // namespace sectile

@@ -117,11 +117,17 @@ TEST_P(RandomPieces, AreRefusedWhereTheyAreNoSolid) {
   EXPECT_GT(tally.legal, 5);
 }
 
+std::string name_of_pieces(const testing::TestParamInfo<std::array<int, 3>>& test) {
+  const auto [count, size, perturbed] = test.param;
+  return std::to_string(count) + "Of" + std::to_string(size) + (perturbed ? "Perturbed" : "");
+}
+
 INSTANTIATE_TEST_SUITE_P(SelfTest, RandomPieces,
                          testing::Values(std::array{1, 3, 1}, std::array{2, 2, 0},
                                          std::array{2, 3, 0}, std::array{2, 3, 1},
                                          std::array{2, 6, 1}, std::array{3, 3, 0},
-                                         std::array{3, 5, 0}, std::array{4, 6, 0}));
+                                         std::array{3, 5, 0}, std::array{4, 6, 0}),
+                         name_of_pieces);
 
 // A plate of square cells, some of which are missing: its sides are flat pieces of many triangles.
 PolygonMesh plate_of_cells(Pieces& pieces, std::uint32_t side) {
