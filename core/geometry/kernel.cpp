@@ -194,6 +194,8 @@ bool defines(const Geometry& geometry, PointId p, const PlaneDefinition& plane) 
 Sign Kernel::exact_side(PointId point, PlaneId plane) const {
   const PlaneValue& s = value(plane);
   if (!geometry_.is_constructed(point)) {
+    if (s.axis >= 0 && geometry_.is_explicit(point))  // the sign of a sum of two is right
+      return sign_of(s.n[s.axis] * component(geometry_.position(point), s.axis) + s.d);
     if (defines(geometry_, point, geometry_.definition(plane))) return Sign::zero;
     if (s.exact && geometry_.is_explicit(point)) {
       const Vec3& p = geometry_.position(point);
@@ -296,6 +298,12 @@ Estimate Kernel::estimated_cross(PlaneId a, PlaneId b, int& largest) const {
 
 Kernel::AxisSign Kernel::main_cross(PlaneId a, PlaneId b) const {
   if (a == b) return {-1, Sign::zero};
+  if (const PlaneValue& u = value(a), &v = value(b); u.axis >= 0 && v.axis >= 0) {
+    if (u.axis == v.axis) return {-1, Sign::zero};
+    const double product = u.n[u.axis] * v.n[v.axis];
+    const bool right_handed = next_axis(u.axis) == v.axis;
+    return {3 - u.axis - v.axis, sign_of(right_handed ? product : -product)};
+  }
   int largest;
   const Estimate component = estimated_cross(a, b, largest);
   if (component.decided()) return {largest, component.sign()};

@@ -54,7 +54,7 @@ bool axis_parallel(const Vec3& a, const Vec3& b, const Vec3& c, PlaneValue& valu
     const Sign sign = std::abs(left - right) > error ? sign_of(left - right)
                                                      : turn_of<Dyadic>(a, b, c, axis).sign();
     if (sign == Sign::zero) return false;
-    value = {{0, 0, 0}, sign == Sign::positive ? -at : at, 0, 0, true};
+    value = {{0, 0, 0}, sign == Sign::positive ? -at : at, 0, 0, true, std::int8_t(axis)};
     value.n[axis] = sign == Sign::positive ? 1 : -1;
     return true;
   }

@@ -12,6 +12,8 @@ struct PlaneValue {
   double n_error;  ///< bound for each component of the normal
   double d_error;
   bool exact;  ///< both errors are zero
+  /// Of x, y or z = const, the normal being ±1 exactly: that axis; otherwise -1.
+  std::int8_t axis = -1;
 };
 
 PlaneValue plane_value(const Geometry& geometry, PlaneId plane);

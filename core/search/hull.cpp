@@ -10,6 +10,14 @@ namespace sectile {
 
 using namespace approximate;
 
+namespace {
+
+bool is_along_an_axis(const Vec3& v) {
+  return (v.x != 0) + (v.y != 0) + (v.z != 0) == 1;
+}
+
+}  // namespace
+
 Hull::Hull(std::span<const Vec3> points) {
   if (points.size() <= few) {
     count_ = static_cast<std::uint32_t>(points.size());
@@ -34,6 +42,7 @@ Hull::Hull(std::span<const Vec3> points) {
               std::max(reach_.y, std::abs(points_[i].y)),
               std::max(reach_.z, std::abs(points_[i].z))};
   along_normal_ = along(normal_);
+  for (std::uint32_t i = 0; i < edge_count(); ++i) along_axes_ &= is_along_an_axis(edge(i));
 }
 
 Vec3 Hull::edge(std::uint32_t i) const {
@@ -75,6 +84,7 @@ bool Hull::separated_by_side(const Hull& other) const {
 }
 
 bool apart(const Hull& a, const Hull& b) {
+  if (a.along_axes_ && b.along_axes_) return false;  // as all that follows are axes
   if (a.separated_along(a.normal_, a.along_normal_, b) ||
       b.separated_along(b.normal_, b.along_normal_, a))
     return true;

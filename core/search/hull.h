@@ -15,7 +15,8 @@ class Hull {
   /// half an ulp in each coordinate. Many points are replaced by a box around them.
   explicit Hull(std::span<const Vec3> points);
 
-  /// Are two hulls certainly apart? Never true of hulls that have a point in common.
+  /// Are two hulls certainly apart? Never true of hulls that have a point in common. Asked of hulls
+  /// whose boxes are not apart.
   friend bool apart(const Hull& a, const Hull& b);
 
  private:
@@ -38,6 +39,7 @@ class Hull {
   Vec3 reach_;  // the greatest size of each coordinate
   Vec3 normal_;
   Range along_normal_;
+  bool along_axes_ = true;  // are all edges parallel to axes?
 };
 
 /// Around a face: its outer loop.

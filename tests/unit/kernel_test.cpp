@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/axes.h"
 #include "geometry/probe.h"
 #include "kernel_scene.h"
 
@@ -60,9 +61,51 @@ TEST(Kernel, CrossProductsOfNormals) {
     for (int k = 0; k < 3; ++k)
       ASSERT_EQ(s.kernel->cross(PlaneId(a), PlaneId(b), k),
                 rational_sign(n[static_cast<std::size_t>(k)]));
-    ASSERT_EQ(s.kernel->parallel(PlaneId(a), PlaneId(b)), (n == Vector{0, 0, 0}));
+    const auto [axis, sign] = s.kernel->main_cross(PlaneId(a), PlaneId(b));
+    ASSERT_EQ(axis < 0, (n == Vector{0, 0, 0}));
+    if (axis >= 0) {
+      ASSERT_NE(sign, Sign::zero);
+      ASSERT_EQ(sign, rational_sign(n[static_cast<std::size_t>(axis)]));
+    }
     ASSERT_EQ(s.kernel->normal(PlaneId(a), 1), rational_sign(s.planes[a].n[1]));
   });
+}
+
+// Each way round, at several heights.
+TEST(Kernel, PlanesAlongAxes) {
+  struct Flat {
+    int axis, sense;
+    double at;
+  };
+  const double heights[] = {0, 1, -0.7, 0.1, -0x1p-300, 0x1p300};
+  Geometry g;
+  std::vector<Flat> flats;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int sense : {1, -1})
+      for (const double at : heights) {
+        Vec3 a, b, c;
+        component(a, axis) = component(b, axis) = component(c, axis) = at;
+        component(b, next_axis(axis)) = 0.3;
+        component(c, next_next_axis(axis)) = sense * 0.2;
+        const PointId p = g.add_point(a), q = g.add_point(b), r = g.add_point(c);
+        g.add_plane(PlaneDefinition::through(p, q, r));
+        flats.push_back({axis, sense, at});
+      }
+  const Kernel kernel(g);
+  for (const PlaneId s : g.planes.ids())
+    for (const PlaneId t : g.planes.ids()) {
+      const Flat &u = flats[s.value()], &v = flats[t.value()];
+      const auto [axis, sign] = kernel.main_cross(s, t);
+      EXPECT_EQ(axis, u.axis == v.axis ? -1 : 3 - u.axis - v.axis);
+      const int turn = u.axis == v.axis ? 0 : next_axis(u.axis) == v.axis ? 1 : -1;
+      EXPECT_EQ(sign, sign_of(u.sense * v.sense * turn));
+    }
+  for (const PlaneId s : g.planes.ids())
+    for (const PointId p : g.positions.ids()) {
+      const Flat& u = flats[s.value()];
+      const double at = component(g.position(p), u.axis);
+      EXPECT_EQ(kernel.side(p, s), sign_of(u.sense * ((at > u.at) - (at < u.at))));
+    }
 }
 
 TEST(Kernel, CoplanarPlanes) {
