@@ -1,7 +1,5 @@
 #include "arrangement/boolean_tree.h"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <mutex>
 #include <span>
@@ -33,7 +31,7 @@ class BooleanTree {
       options.progress = [&](double done) { tell(double(solids_ - 2) + done); };
     Solid result;
     // A core that waits helps with this Boolean, not with another branch, which would take longer.
-    tbb::this_task_arena::isolate([&] { result = boolean(first, second, operation_, options); });
+    parallel::isolate([&] { result = boolean(first, second, operation_, options); });
     note_step();
     return result;
   }

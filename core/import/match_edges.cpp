@@ -1,5 +1,3 @@
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -10,6 +8,7 @@
 #include "import/flat_edges.h"
 #include "import/polygons.h"
 #include "parallel/parallel.h"
+#include "parallel/scratch.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -28,13 +27,16 @@ class Matcher {
 
   /// Pairs what runs both ways between two points.
   void pair_plain() {
-    tbb::enumerable_thread_specific<std::vector<Line>> odd;
+    using Lines = std::vector<Line>;
+    parallel::Scratch<Lines> odd;
     parallel::loop(tbb::blocked_range<std::uint32_t>(0, buckets_.count(), 1024),
                    [&](const auto& range) {
-                     for (std::uint32_t p = range.begin(); p < range.end(); ++p)
-                       match_bucket(PointId(p), buckets_[p], odd.local());
+                     odd.lend([&](Lines& lines) {
+                       for (std::uint32_t p = range.begin(); p < range.end(); ++p)
+                         match_bucket(PointId(p), buckets_[p], lines);
+                     });
                    });
-    for (const auto& some : odd) lines_.insert(lines_.end(), some.begin(), some.end());
+    odd.for_each([&](const Lines& some) { lines_.insert(lines_.end(), some.begin(), some.end()); });
     std::sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) {
       return std::pair(a.low, a.entries[0].high) < std::pair(b.low, b.entries[0].high);
     });

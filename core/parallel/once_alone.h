@@ -1,10 +1,10 @@
 // What is found out when it is first asked for, perhaps by several threads at a time.
 #pragma once
 
-#include <tbb/task_arena.h>
-
 #include <atomic>
 #include <cstdint>
+
+#include "parallel/parallel.h"
 
 namespace sectile {
 
@@ -46,7 +46,7 @@ class OnceFlag {
 /// take up an outer task that asks for the same, or it would wait for itself.
 template <class Body>
 void once_alone(OnceFlag& flag, const Body& body) {
-  flag.run([&] { tbb::this_task_arena::isolate(body); });
+  flag.run([&] { parallel::isolate(body); });
 }
 
 }  // namespace sectile

@@ -6,10 +6,15 @@
 // these loops are groups of their own: only what is thrown in them ends them early.
 #pragma once
 
+#ifdef __SANITIZE_THREAD__
+#include "parallel/watched.h"
+#else
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 #include <tbb/parallel_sort.h>
+#include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
 #include <algorithm>
@@ -45,6 +50,12 @@ void invoke(const First& first, const Second& second) {
   loop(0, 2, [&](std::size_t i) { i == 0 ? first() : second(); });
 }
 
+/// Runs body(); who waits in it for parts of a loop takes no tasks of loops around it meanwhile.
+template <class Body>
+void isolate(const Body& body) {
+  tbb::this_task_arena::isolate(body);
+}
+
 template <class Iterator, class Less = std::less<>>
 void sort(Iterator begin, Iterator end, const Less& less = Less()) {
   constexpr std::ptrdiff_t few = 500;  // as for TBB, which sorts these on one core
@@ -54,3 +65,5 @@ void sort(Iterator begin, Iterator end, const Less& less = Less()) {
 }
 
 }  // namespace sectile::parallel
+
+#endif

@@ -1,10 +1,9 @@
 #include "selftest/flat_block.h"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 
 #include "parallel/parallel.h"
+#include "parallel/scratch.h"
 #include "selftest/node_labels.h"
 #include "selftest/rim_sweep.h"
 
@@ -103,9 +102,10 @@ FlatBlocks::FlatBlocks(const TriangleSurface& surface, const TriangleTree& tree,
   for (std::size_t level = 0; level < levels; ++level)
     flat_.emplace_back(tree.nodes(level), std::uint8_t(0));
   note_sides(surface, tree, kernel);
-  tbb::enumerable_thread_specific<Worker> workers(
-      [&] { return Worker(*this, surface, tree, kernel); });
-  parallel::loop(0, tree.nodes(top), [&](std::size_t node) { workers.local().run(top, node); });
+  parallel::Scratch<Worker> workers([&] { return Worker(*this, surface, tree, kernel); });
+  parallel::loop(0, tree.nodes(top), [&](std::size_t node) {
+    workers.lend([&](Worker& worker) { worker.run(top, node); });
+  });
 }
 
 }  // namespace sectile

@@ -1,14 +1,12 @@
 #include "selftest/self_test.h"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <bit>
 #include <mutex>
 #include <tuple>
 
 #include "parallel/parallel.h"
+#include "parallel/scratch.h"
 #include "sectile/errors.h"
 #include "selftest/flat_block.h"
 #include "selftest/flat_patches.h"
@@ -46,22 +44,26 @@ class Traversal {
     parallel::loop(0, count, [&](std::size_t node) {
       check_cancelled();
       const std::size_t top = tree_.levels() - 1;
-      Visitor visitor{*this, found_.local()};
-      visitor.meet_itself(level, node);
-      visitor.meet_later(level, node, tree_.boxes(level, node).all(), top, 0);
+      found_.lend([&](Found& found) {
+        Visitor visitor{*this, found};
+        visitor.meet_itself(level, node);
+        visitor.meet_later(level, node, tree_.boxes(level, node).all(), top, 0);
+      });
       note_step(steps);
     });
     parallel::loop(0, hubs_.count(), [&](std::size_t hub) {
       check_cancelled();
-      auto& found = found_.local();
-      hubs_.for_each_pair(hub, [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); });
+      found_.lend([&](Found& found) {
+        hubs_.for_each_pair(hub, [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); });
+      });
       note_step(steps);
     });
     parallel::loop(0, patch_pairs_.count(), [&](std::size_t patch) {
       check_cancelled();
-      auto& found = found_.local();
-      patch_pairs_.for_each_pair(patch,
-                                 [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); });
+      found_.lend([&](Found& found) {
+        patch_pairs_.for_each_pair(patch,
+                                   [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); });
+      });
       note_step(steps);
     });
     if (control_.progress) control_.progress(1);
@@ -158,15 +160,16 @@ class Traversal {
     if (control_.cancel && control_.cancel->load(std::memory_order_relaxed)) throw Cancelled();
   }
   void note_step(std::size_t steps) {
-    const std::size_t done = ++done_;
+    ++done_;
     if (!control_.progress || !telling_.try_lock()) return;
     const std::lock_guard lock(telling_, std::adopt_lock);
+    const std::size_t done = done_;  // asked for here, so that it rises
     if (done < steps) control_.progress(double(done) / double(steps));
   }
 
   std::vector<SelfContact> sorted() {
     std::vector<SelfContact> all;
-    for (const Found& some : found_) all.insert(all.end(), some.begin(), some.end());
+    found_.for_each([&](const Found& some) { all.insert(all.end(), some.begin(), some.end()); });
     std::sort(all.begin(), all.end(), [](const SelfContact& a, const SelfContact& b) {
       return std::tie(a.first, a.second) < std::tie(b.first, b.second);
     });
@@ -184,7 +187,7 @@ class Traversal {
   TriangleHubs hubs_;
   NodeLabels fans_, settled_;
   TrianglePairs pairs_;
-  tbb::enumerable_thread_specific<Found> found_;
+  parallel::Scratch<Found> found_;
   std::atomic<std::size_t> done_{0};
   std::mutex telling_;
 };
@@ -195,7 +198,7 @@ std::vector<SelfContact> self_contacts(const TriangleSurface& surface, const Ker
                                        const SelfTestControl& control) {
   if (surface.size() == 0) return {};
   std::vector<SelfContact> found;
-  tbb::this_task_arena::isolate([&] { found = Traversal(surface, kernel, control).run(); });
+  parallel::isolate([&] { found = Traversal(surface, kernel, control).run(); });
   return found;
 }
 

@@ -2,6 +2,7 @@
 // make when it is first asked for. Run under ThreadSanitizer, this shows where they race; without
 // it, that nothing hangs and that all threads get the same.
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -39,7 +40,6 @@ void in_threads(const Work& work) {
 }
 
 TEST(Threads, OneBooleanOverManyThreads) {
-  SECTILE_NEEDS_WORKERS;
   const Solid a = fine_sphere(), b = moved_by(a, 0.3, 0.2, 0.1);
   Solid one, many;
   tbb::task_arena(1).execute([&] { one = boolean(a, b, Operation::unite); });
@@ -50,7 +50,6 @@ TEST(Threads, OneBooleanOverManyThreads) {
 
 // So many contacts that each phase is divided.
 TEST(Threads, NearlyEqualSolidsOverManyThreads) {
-  SECTILE_NEEDS_WORKERS;
   const Solid a = sphere(1, 80, 40),
               b = transformed(a, Transform::rotation_degrees({1, 2, 3}, 0.06));
   for (const Operation operation : {Operation::unite, Operation::subtract}) {
@@ -63,10 +62,24 @@ TEST(Threads, NearlyEqualSolidsOverManyThreads) {
 }
 
 TEST(Threads, OneImportOverManyThreads) {
-  SECTILE_NEEDS_WORKERS;
   const PolygonMesh mesh = fine_sphere().to_mesh();
   tbb::task_arena(8).execute(
       [&] { EXPECT_EQ(Solid::from_mesh(mesh).to_mesh().indices.size(), mesh.indices.size()); });
+}
+
+TEST(Threads, ProgressOfAnImportRises) {
+  const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 8);
+  const PolygonMesh mesh = sphere(1, 80, 40).to_mesh();
+  ImportOptions options;
+  for (int i = 0; i < rounds; ++i) {
+    double last = 0;
+    options.progress = [&](double done) {
+      EXPECT_GE(done, last);
+      last = done;
+    };
+    tbb::task_arena(8).execute([&] { Solid::from_mesh(mesh, options); });
+    EXPECT_EQ(last, 1);
+  }
 }
 
 // Whoever comes first makes the tool's trees and its complement; the others wait, or take tasks of

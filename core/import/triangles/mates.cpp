@@ -1,13 +1,12 @@
 #include "import/triangles/mates.h"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
 
 #include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
+#include "parallel/scratch.h"
 
 namespace sectile {
 namespace {
@@ -88,11 +87,13 @@ class MateFinder {
   static_assert(TriangleMesh::most_of_a_chunk <= 256);
 
   void match_within_chunks() {
-    tbb::enumerable_thread_specific<LineTable> tables;
+    parallel::Scratch<LineTable> tables;
     parallel::loop(tbb::blocked_range<std::uint32_t>(0, mesh_.chunk_count(), 8),
                    [&](const auto& range) {
-                     for (std::uint32_t c = range.begin(); c < range.end(); ++c)
-                       if (!match_within(c, tables.local())) is_plain_ = false;
+                     tables.lend([&](LineTable& table) {
+                       for (std::uint32_t c = range.begin(); c < range.end(); ++c)
+                         if (!match_within(c, table)) is_plain_ = false;
+                     });
                    });
   }
 
