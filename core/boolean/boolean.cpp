@@ -31,11 +31,10 @@ bool operands_touch_themselves(const Workspace& w) {
 
 // The glued part, cleaned up, together with the blocks that are shared.
 Solid solid_of(const Workspace& w, Glued glued) {
-  clean_up(glued.brep, glued.geometry, glued.seams);
+  clean_up(glued.brep, w.geometry, glued.seams);
   const bool touches = !glued.shared.slots.empty() && operands_touch_themselves(w);
   Solid solid(splice(std::move(glued.shared),
-                     {std::move(glued.brep), std::move(glued.geometry), std::move(glued.outside)},
-                     touches));
+                     {std::move(glued.brep), w.geometry, std::move(glued.outside)}, touches));
   if (w.options.validate)
     if (const auto found = broken_links(solid.data()->brep(), false); !found.empty())
       throw InternalError("the result is not legal: " + found.front());

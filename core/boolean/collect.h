@@ -10,36 +10,61 @@
 
 namespace sectile {
 
-/// Calls body(i, output) for i = 0 … count - 1; `output` is one Output for each block of the loop.
-/// begin() is called before each block; what it throws ends the loop.
+/// Calls body(first, last, output) for ranges of at most `size` of the numbers 0 … count - 1;
+/// `output` is one Output for each. begin() is called before each; what it throws ends the loop.
 template <class Output, class Body, class Begin>
-std::vector<Output> collect_blocks(std::size_t count, std::size_t block, const Body& body,
+std::vector<Output> collect_ranges(std::size_t count, std::size_t size, const Body& body,
                                    const Begin& begin) {
-  const std::size_t blocks = (count + block - 1) / block;
-  std::vector<Output> outputs(blocks);
-  const auto run = [&](std::size_t b) {
+  const std::size_t ranges = (count + size - 1) / size;
+  std::vector<Output> outputs(ranges);
+  const auto run = [&](std::size_t r) {
     begin();
-    const std::size_t end = std::min(count, (b + 1) * block);
-    for (std::size_t i = b * block; i < end; ++i) body(i, outputs[b]);
+    body(r * size, std::min(count, (r + 1) * size), outputs[r]);
   };
-  if (blocks <= 1) {
-    if (blocks == 1) run(0);
+  if (ranges <= 1) {
+    if (ranges == 1) run(0);
   } else {
-    parallel::loop(0, blocks, run);
+    parallel::loop(0, ranges, run);
   }
   return outputs;
 }
 
+/// The same; throws Cancelled before the next range if that was asked for.
 template <class Output, class Body>
-std::vector<Output> collect(std::size_t count, std::size_t block, const Body& body) {
-  return collect_blocks<Output>(count, block, body, [] {});
+std::vector<Output> collect_ranges(const Workspace& w, std::size_t count, std::size_t size,
+                                   const Body& body) {
+  return collect_ranges<Output>(count, size, body, [&] { w.check_cancelled(); });
 }
 
-/// The same; throws Cancelled within a block's time if that was asked for.
+/// Calls body(i, output) for i = 0 … count - 1; `output` is one Output for each range of `size`.
 template <class Output, class Body>
-std::vector<Output> collect(const Workspace& w, std::size_t count, std::size_t block,
+std::vector<Output> collect(std::size_t count, std::size_t size, const Body& body) {
+  const auto each = [&](std::size_t first, std::size_t last, Output& output) {
+    for (std::size_t i = first; i < last; ++i) body(i, output);
+  };
+  return collect_ranges<Output>(count, size, each, [] {});
+}
+template <class Output, class Body>
+std::vector<Output> collect(const Workspace& w, std::size_t count, std::size_t size,
                             const Body& body) {
-  return collect_blocks<Output>(count, block, body, [&] { w.check_cancelled(); });
+  return collect_ranges<Output>(w, count, size,
+                                [&](std::size_t first, std::size_t last, Output& output) {
+                                  for (std::size_t i = first; i < last; ++i) body(i, output);
+                                });
+}
+
+/// Without an output.
+template <class Body>
+void for_each_range(const Workspace& w, std::size_t count, std::size_t size, const Body& body) {
+  struct Nothing {};
+  collect_ranges<Nothing>(
+      w, count, size, [&](std::size_t first, std::size_t last, Nothing&) { body(first, last); });
+}
+template <class Body>
+void for_each(const Workspace& w, std::size_t count, std::size_t size, const Body& body) {
+  for_each_range(w, count, size, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) body(i);
+  });
 }
 
 template <class T>

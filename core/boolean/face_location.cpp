@@ -49,7 +49,7 @@ void locate(const Kernel& kernel, const Patch& patch, FaceId face, const Probe& 
     return;
   }
 
-  RayCount count(kernel, patch, patch.plane(face), point);
+  RayCount count(kernel, patch, patch.plane(face), point, found);
   if (const BoxTree* tree = patch.half_edge_tree[face.value()].get()) {
     const int i = count.i(), j = count.j();
     const double at_i = component(point.position(), i), at_j = component(point.position(), j);
@@ -61,7 +61,6 @@ void locate(const Kernel& kernel, const Patch& patch, FaceId face, const Probe& 
   } else {
     for_each_in_face(brep, face, [&](HalfEdgeId h) { count.add(h); });
   }
-  found = count.touched();
   if (found.empty() && count.odd()) found.push_back(face);
 }
 

@@ -1,8 +1,5 @@
 // Finds the pairs of faces that may meet, and loads these faces.
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
-#include <memory>
 
 #include "boolean/boolean.h"
 #include "boolean/collect.h"
@@ -246,27 +243,24 @@ namespace {
 
 // Those that are asked for are made side by side.
 void make_trees(const Workspace& w, const SolidData& solid, std::span<const std::uint32_t> slots) {
-  collect<int>(w, slots.size(), 16,
-               [&](std::size_t i, int&) { solid.slot(slots[i]).block->tree(); });
+  for_each(w, slots.size(), 16, [&](std::size_t i) { solid.slot(slots[i]).block->tree(); });
 }
 
 // Pairs of faces that may meet, but for those that have a hub in common.
 void add_pairs(const Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs& slots,
                const CommonHubs& hubs, FacePairs& pairs) {
-  tbb::enumerable_thread_specific<std::unique_ptr<NearFaces>> near_faces;
-  const auto parts =
-      collect<FacePairs>(w, slots.pairs().size(), 8, [&](std::size_t i, FacePairs& out) {
-        const auto [s, t] = slots.pairs()[i];
-        auto& near = near_faces.local();
-        if (!near) near = std::make_unique<NearFaces>();
-        (*near)(
-            *a.slot(s).block, *b.slot(t).block,
-            [&, s = s, t = t](std::uint32_t f, std::uint32_t g) {
-              out.push_back({a.face(s, FaceId(f)), b.face(t, FaceId(g))});
-            },
-            [&, s = s, t = t](std::uint32_t hub, std::uint32_t across) {
-              return !hubs.empty() && hubs.are_at_one_place(s, hub, t, across);
-            });
+  const auto parts = collect_ranges<FacePairs>(
+      w, slots.pairs().size(), 8, [&](std::size_t first, std::size_t last, FacePairs& out) {
+        NearFaces near;
+        for (const auto& [s, t] : slots.pairs().subspan(first, last - first))
+          near(
+              *a.slot(s).block, *b.slot(t).block,
+              [&, s = s, t = t](std::uint32_t f, std::uint32_t g) {
+                out.push_back({a.face(s, FaceId(f)), b.face(t, FaceId(g))});
+              },
+              [&, s = s, t = t](std::uint32_t hub, std::uint32_t across) {
+                return !hubs.empty() && hubs.are_at_one_place(s, hub, t, across);
+              });
       });
   for (const FacePairs& part : parts) append(pairs, part);
 }

@@ -13,8 +13,12 @@ namespace sectile {
 
 class RayCount {
  public:
-  RayCount(const Kernel& kernel, const Patch& patch, PlaneId plane, const Probe& point)
-      : patch_(&patch), ray_(kernel, plane, point) {}
+  /// `touched`: what holds the entities that the ray's point lies on; emptied first.
+  RayCount(const Kernel& kernel, const Patch& patch, PlaneId plane, const Probe& point,
+           std::vector<Entity>& touched)
+      : patch_(&patch), ray_(kernel, plane, point), touched_(touched) {
+    touched_.clear();
+  }
 
   int i() const { return ray_.i(); }
   int j() const { return ray_.j(); }
@@ -46,7 +50,7 @@ class RayCount {
 
   const Patch* patch_;
   PlanarRay<Probe> ray_;
-  std::vector<Entity> touched_;
+  std::vector<Entity>& touched_;
 };
 
 }  // namespace sectile

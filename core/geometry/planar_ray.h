@@ -31,7 +31,11 @@ class PlanarRay {
   /// parallel to the face's.
   template <class Across>
   Touch add(PointId u, PointId v, const Across& across) {
-    const Sign ju = point_->compare(u, j_), jv = point_->compare(v, j_);
+    // Edges of a loop come one after the other, as a rule.
+    const Sign ju = u == last_ ? level_of_last_ : point_->compare(u, j_);
+    const Sign jv = point_->compare(v, j_);
+    last_ = v;
+    level_of_last_ = jv;
     if (ju != Sign::zero && ju == jv) return Touch::nothing;
     if (ju == Sign::zero && point_->compare(u, i_) == Sign::zero) return Touch::from;
     if (jv == Sign::zero && point_->compare(v, i_) == Sign::zero) return Touch::to;
@@ -62,6 +66,8 @@ class PlanarRay {
   const Point* point_;
   int k_, i_, j_;
   bool odd_ = false;
+  PointId last_;  // where the last edge ended
+  Sign level_of_last_ = Sign::zero;
 };
 
 }  // namespace sectile

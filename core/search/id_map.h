@@ -36,17 +36,23 @@ class IdMap {
     return slot.value;
   }
 
+  /// The value for a key, or none.
+  std::uint32_t known(std::uint32_t key) const {
+    return slots_.empty() ? table_[key] : slots_[place(key)].value;
+  }
+
  private:
   static constexpr std::size_t few_ids = 256;
   struct Slot {
     std::uint32_t key, value;
   };
-  Slot& find(std::uint32_t key) {
+  std::size_t place(std::uint32_t key) const {
     // The upper bits: the lower ones are alike for all keys that are alike in theirs.
     std::size_t i = (key * 0x9E3779B1u) >> shift_;
     while (slots_[i].key != none && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
-    return slots_[i];
+    return i;
   }
+  Slot& find(std::uint32_t key) { return slots_[place(key)]; }
   void grow() {
     std::vector<Slot> old(2 * slots_.size(), Slot{none, none});
     old.swap(slots_);

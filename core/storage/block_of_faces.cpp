@@ -35,18 +35,11 @@ std::vector<VertexId> BlockOfFaces::number_vertices() {
 
 // Just as much as is needed, as a rule: most of a solid's memory is in its blocks.
 void BlockOfFaces::reserve(std::size_t vertices) {
-  const std::size_t faces = faces_.size();
-  Brep& brep = block_->brep;
-  brep.loop_face.reserve(faces);
-  brep.loop_half_edge.reserve(faces);
-  brep.next_loop.reserve(faces);
-  brep.outer_loop.reserve(faces);
-  brep.plane.reserve(faces);
-  brep.source.reserve(faces);
-  brep.point.reserve(vertices);
+  block_->brep.reserve_faces(faces_.size());
+  block_->brep.point.reserve(vertices);
   block_->geometry.positions.reserve(vertices);
   block_->geometry.construct.reserve(vertices);
-  block_->geometry.planes.reserve(faces);
+  block_->geometry.planes.reserve(faces_.size());
 }
 
 void BlockOfFaces::add_faces(GeometryLoader& geometry) {

@@ -106,6 +106,20 @@ PlaneId GeometryLoader::copy(PlaneDefinition how, bool turned) {
   return to_.add_plane(how);
 }
 
+PlaneId add_turned_plane(Geometry& geometry, PlaneId s) {
+  using Kind = PlaneDefinition::Kind;
+  PlaneDefinition how = geometry.definition(s);
+  if (how.kind() == Kind::coefficients)
+    return geometry.add_plane(negated(geometry.coefficients[how.a]));
+  if (how.kind() == Kind::exact_coefficients) {
+    geometry.exact_coefficients.push_back(negated(*geometry.exact_coefficients[how.a]));
+    return geometry.add_plane(PlaneDefinition::with_exact_coefficients(
+        static_cast<std::uint32_t>(geometry.exact_coefficients.size() - 1)));
+  }
+  turn(how);
+  return geometry.add_plane(how);
+}
+
 GeometryOffset append_geometry(const Geometry& from, Geometry& to, bool turned) {
   using Kind = PlaneDefinition::Kind;
   const GeometryOffset offset{static_cast<std::uint32_t>(to.positions.size()),

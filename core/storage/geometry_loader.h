@@ -19,6 +19,11 @@ class GeometryLoader {
   PointId point(PointId p);
   /// `turned`: with the opposite normal.
   PlaneId plane(PlaneId s, bool turned = false);
+  /// Those that were asked for before; may be called from many threads.
+  PointId known(PointId p) const { return p.valid() ? PointId(points_.known(p.value())) : p; }
+  PlaneId known(PlaneId s, bool turned) const {
+    return s.valid() ? PlaneId(planes_[turned].known(s.value())) : s;
+  }
 
  private:
   PlaneId copy(PlaneDefinition how, bool turned);
@@ -30,6 +35,9 @@ class GeometryLoader {
   IdMap points_, planes_[2];                        // planes as they are, and turned ones
   std::vector<std::uint32_t> frames_, directions_;  // empty until the first is asked for
 };
+
+/// Adds the plane with the opposite normal.
+PlaneId add_turned_plane(Geometry& geometry, PlaneId s);
 
 /// What was added to the numbers of points and planes.
 struct GeometryOffset {

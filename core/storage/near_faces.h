@@ -2,8 +2,8 @@
 // anyone writes it down.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "search/hull.h"
 #include "storage/block.h"
@@ -15,7 +15,8 @@ class HullCache {
  public:
   void start(const Block& block) {
     block_ = &block;
-    face_.fill(none);
+    face_.assign(size, none);
+    hull_.resize(size);
   }
   const Hull& operator[](std::uint32_t face) {
     const std::size_t at = face % size;
@@ -30,11 +31,11 @@ class HullCache {
   static constexpr std::size_t size = 32;
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
   const Block* block_ = nullptr;
-  std::array<std::uint32_t, size> face_;
-  std::array<Hull, size> hull_;
+  std::vector<std::uint32_t> face_;  // empty before the first block
+  std::vector<Hull> hull_;
 };
 
-/// One for each thread.
+/// Not for several threads at a time.
 class NearFaces {
  public:
   /// Calls visit(face of a, face of b) for all pairs that meet and for few others, but not for

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "parallel/parallel.h"
+#include "sectile/errors.h"
 #include "storage/solid_data.h"
 
 namespace sectile {
@@ -43,6 +44,8 @@ struct SharedSlots {
   };
 
   void relink(Change& change) {
+    for (const BorderLink& link : change.links)
+      if (link.border == none) throw InternalError("a border of a block leads nowhere");
     Slot& slot = slots[change.slot];
     slot.links = change.links.empty()
                      ? nullptr

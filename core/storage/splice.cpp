@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "storage/geometry_loader.h"
+
 namespace sectile {
 namespace {
 
@@ -73,15 +75,28 @@ bool vertices_coincide(const Brep& brep, const Geometry& geometry) {
   return false;
 }
 
+namespace {
+
+// In one block, with the points and planes that it needs.
+std::shared_ptr<SolidData> in_one_block(NewPart part) {
+  auto made = std::make_shared<SolidData>();
+  Brep& brep = made->brep() = std::move(part.brep);
+  GeometryLoader geometry(part.geometry, made->geometry(), brep.vertex_count());
+  for (PlaneId& s : brep.plane) s = geometry.plane(s);
+  for (PlaneId& s : brep.edge_plane) s = geometry.plane(s);
+  for (PointId& p : brep.point) p = geometry.point(p);
+  made->cut();
+  return made;
+}
+
+}  // namespace
+
 std::shared_ptr<SolidData> splice(SharedSlots shared, NewPart part, bool touches_itself) {
   const bool none_shared = std::all_of(shared.slots.begin(), shared.slots.end(),
                                        [](const Slot& s) { return s.empty(); });
   if (none_shared) {
-    auto made = std::make_shared<SolidData>();
-    made->brep() = std::move(part.brep);
-    made->geometry() = std::move(part.geometry);
-    made->cut();
-    return made;
+    if (part.brep.face_count() <= most_faces_of_a_block) return in_one_block(std::move(part));
+    shared.slots.clear();
   }
   touches_itself = touches_itself || vertices_coincide(part.brep, part.geometry);
   if (part.brep.face_count() > 0) add_part(shared, part);

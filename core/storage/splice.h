@@ -10,8 +10,8 @@
 namespace sectile {
 
 struct NewPart {
-  Brep brep;  ///< faces of kind `rest` stand for what is shared
-  Geometry geometry;
+  Brep brep;                 ///< faces of kind `rest` stand for what is shared
+  const Geometry& geometry;  ///< has all it needs, and maybe more
   /// Edge i < outside.size() leads from its even half-edge to this border edge of a shared block.
   std::vector<BorderEdge> outside;
 };

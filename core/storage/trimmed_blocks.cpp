@@ -47,7 +47,7 @@ void TrimmedBlocks::link(SharedSlots& shared, std::uint32_t first) const {
   for (const std::uint32_t slot : slots_) {
     std::vector<BorderLink> links;
     for (const HalfEdgeId old : trimmed_[slot]->borders()) {
-      links.emplace_back();
+      links.push_back({0, TrimmedBlock::none, 0});
       if (!solid_.slot(slot).block->is_border(old)) continue;
       const BorderLink& link = solid_.slot(slot).links->all()[old.value() / 2];
       links.back() = followed(slot, link);

@@ -53,8 +53,11 @@ class Brep {
 
   /// Room for so many more edges, faces with one loop each, and vertices.
   void reserve(std::size_t edges, std::size_t faces, std::size_t vertices);
-  /// New half-edges have no links; edge_plane stays as it is.
+  void reserve_faces(std::size_t faces);
+  /// New elements have no links; edge_plane and kind stay as they are.
   void resize_half_edges(std::size_t count);
+  void resize_faces(std::size_t count);
+  void resize_loops(std::size_t count);
   /// A face with its outer loop, which may come later; `kind` stays as it is.
   FaceId add_face(PlaneId of_plane, const FaceSource& of_source, LoopId outer = {});
   /// A loop of a face, and the one after it in the face's chain.
@@ -86,15 +89,20 @@ inline void Brep::reserve(std::size_t edges, std::size_t faces, std::size_t vert
   add(prev, 2 * edges);
   add(loop, 2 * edges);
   if (!edge_plane.empty()) add(edge_plane, edges);
-  add(loop_half_edge, faces);
-  add(loop_face, faces);
-  add(next_loop, faces);
-  add(outer_loop, faces);
-  add(plane, faces);
-  add(source, faces);
-  if (!kind.empty()) add(kind, faces);
+  reserve_faces(faces);
   add(vertex_half_edge, vertices);
   add(point, vertices);
+}
+
+inline void Brep::reserve_faces(std::size_t faces) {
+  const auto add = [&](auto& table) { table.reserve(table.size() + faces); };
+  add(loop_half_edge);
+  add(loop_face);
+  add(next_loop);
+  add(outer_loop);
+  add(plane);
+  add(source);
+  if (!kind.empty()) add(kind);
 }
 
 inline void Brep::resize_half_edges(std::size_t count) {
@@ -102,6 +110,18 @@ inline void Brep::resize_half_edges(std::size_t count) {
   next.resize(count);
   prev.resize(count);
   loop.resize(count);
+}
+
+inline void Brep::resize_faces(std::size_t count) {
+  outer_loop.resize(count);
+  plane.resize(count);
+  source.resize(count);
+}
+
+inline void Brep::resize_loops(std::size_t count) {
+  loop_half_edge.resize(count);
+  loop_face.resize(count);
+  next_loop.resize(count);
 }
 
 inline FaceId Brep::add_face(PlaneId of_plane, const FaceSource& of_source, LoopId outer) {

@@ -148,17 +148,27 @@ class Labelling {
     set_rest(s, slot(s).block->brep.face_of(solid().local(s, in_solid)), label);
   }
 
+  // To all faces of the block that hang together with this one.
   void spread_face(std::uint32_t s, FaceId face) {
-    const std::uint8_t label = rest_.of_member(s, face.value());
     const Block& block = *slot(s).block;
-    for_each_in_face(block.brep, face, [&](HalfEdgeId h) {
-      if (block.is_border(h)) return spread_across(s, h, label);
-      const FaceId beyond = block.brep.face_of(Brep::twin(h));
-      if (rest_.of_member(s, beyond.value()) == RestLabels::loaded)
-        set_loaded(loaded_beyond(s, h), label);
-      else
-        set_member(s, beyond.value(), label);
-    });
+    const std::span<std::uint8_t> labels = rest_.of_touched(s);
+    const std::uint8_t label = labels[face.value()];
+    borders_.clear();
+    faces_.assign(1, face);
+    while (!faces_.empty()) {
+      const FaceId next = faces_.back();
+      faces_.pop_back();
+      for_each_in_face(block.brep, next, [&](HalfEdgeId h) {
+        if (block.is_border(h)) return borders_.push_back(h);
+        const FaceId beyond = block.brep.face_of(Brep::twin(h));
+        std::uint8_t& there = labels[beyond.value()];
+        if (there == RestLabels::loaded)
+          set_loaded(loaded_beyond(s, h), label);
+        else if (set(there, label))
+          faces_.push_back(beyond);
+      });
+    }
+    for (const HalfEdgeId h : borders_) spread_across(s, h, label);
   }
 
   // All faces of a piece have its label; it ends at the block's borders.
@@ -177,12 +187,14 @@ class Labelling {
   }
 
   void spread_across(std::uint32_t s, HalfEdgeId h, std::uint8_t label) {
-    const auto [t, beyond] = solid().across(s, h);
-    const FaceId face = slot(t).block->brep.face_of(beyond);
+    const BorderLink& link = slot(s).links->all()[Brep::edge_of(h).value()];
+    const std::uint32_t t = s + static_cast<std::uint32_t>(link.slots);
+    if (!rest_.is_touched(t)) return set_member(t, link.piece, label);
+    const FaceId face = slot(t).block->brep.face_of(Brep::half_edge(EdgeId(link.border)));
     if (rest_.is_loaded(t, face))
       set_loaded(loaded_beyond(s, h), label);
     else
-      set_rest(t, face, label);
+      set_member(t, face.value(), label);
   }
 
   // The loaded face across a half-edge of a face that is not loaded.
@@ -266,6 +278,8 @@ class Labelling {
   IdMap open_ends_;
   std::vector<std::uint32_t> near_;  // the slots that are not far
   std::vector<Pending> front_;       // from where labels may spread further
+  std::vector<FaceId> faces_;        // the same, within one block
+  std::vector<HalfEdgeId> borders_;  // of that block
 };
 
 }  // namespace

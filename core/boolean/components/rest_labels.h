@@ -39,6 +39,10 @@ class RestLabels {
     if (first_[slot] == none) add_members(slot);
     return labels_[first_[slot] + member];
   }
+  /// Per face of a touched slot. Valid until of_member() is called.
+  std::span<std::uint8_t> of_touched(std::uint32_t slot) {
+    return std::span(labels_).subspan(first_[slot], count(slot));
+  }
   /// The label of a face that is not loaded; `loaded` of others.
   std::uint8_t label(std::uint32_t slot, FaceId local) const {
     return first_[slot] == none ? far_label_ : labels_[first_[slot] + member(slot, local)];

@@ -16,8 +16,7 @@ namespace sectile {
 
 /// What is made anew, as one structure; `rest` faces stand for the blocks that are shared.
 struct Glued {
-  Brep brep;
-  Geometry geometry;
+  Brep brep;  ///< points and planes are those of the workspace
   /// The edges along which pieces were glued.
   std::vector<EdgeId> seams;
   /// Of edges 0, 1, …: each leads from its even half-edge to this border edge of a shared block.
@@ -27,7 +26,8 @@ struct Glued {
 };
 
 /// `kept`: label 1 for the faces that stay. `wedges`: of the neighborhoods, for this operation.
-Glued glue(const Workspace& w, Operation operation, const Neighborhoods& neighborhoods,
+/// Adds to the workspace's geometry.
+Glued glue(Workspace& w, Operation operation, const Neighborhoods& neighborhoods,
            std::span<const WedgePair> wedges, const JoinedCuts& joined, const FaceLabels& kept);
 
 }  // namespace sectile

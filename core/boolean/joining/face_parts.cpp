@@ -109,11 +109,12 @@ class PartSettler {
   // edge that leads away from it.
   bool surrounds(std::uint32_t outer, LoopId loop) const {
     bool decided = false, inside = false;
+    std::vector<Entity> touched;
     const auto by_point = [&](HalfEdgeId h) {
       if (decided) return;
       const PointId p = brep_.point_of(brep_.from(h));
       const Probe probe(kernel_, p);
-      RayCount count(kernel_, patch_, patch_.plane(root_), probe);
+      RayCount count(kernel_, patch_, patch_.plane(root_), probe, touched);
       count_crossings(outer, w_.geometry.position(p), count);
       if (!count.touched().empty()) return;
       decided = true;
@@ -123,7 +124,7 @@ class PartSettler {
       if (decided || !patch_.side(h).valid()) return;
       const PointId p = brep_.point_of(brep_.from(h));
       const Probe probe(kernel_, p);
-      RayCount count(kernel_, patch_, patch_.plane(root_), probe);
+      RayCount count(kernel_, patch_, patch_.plane(root_), probe, touched);
       count_crossings(outer, w_.geometry.position(p), count);
       const Standing::Where where = standing_of(h, outer_[outer], count.touched());
       if (where == Standing::Where::along) return;
@@ -243,18 +244,17 @@ std::vector<FaceId> parts_by_root(const Patch& patch, const Table<FaceId, std::u
 
 // What is written of a face is its own, so faces are settled beside each other.
 void settle_face_parts(Workspace& w, const PerOperand<Table<FaceId, std::uint8_t>>& divided) {
-  struct Nothing {};
   for (const Operand s : both_operands) {
     const std::vector<FaceId> parts = parts_by_root(w.patch[s], divided[s]);
     const auto root = [&](std::size_t i) { return w.patch[s].root_of(parts[i]); };
     std::vector<std::uint32_t> starts;
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (i == 0 || root(i) != root(i - 1)) starts.push_back(static_cast<std::uint32_t>(i));
-    const std::size_t faces = starts.size(), chunk = 256;
+    const std::size_t faces = starts.size();
     starts.push_back(static_cast<std::uint32_t>(parts.size()));
-    collect<Nothing>(w, (faces + chunk - 1) / chunk, 1, [&](std::size_t c, Nothing&) {
+    for_each_range(w, faces, 256, [&](std::size_t first, std::size_t last) {
       PartSettler settler(w, s);
-      for (std::size_t i = c * chunk; i < std::min(faces, (c + 1) * chunk); ++i)
+      for (std::size_t i = first; i < last; ++i)
         settler.settle(root(starts[i]),
                        std::span(parts).subspan(starts[i], starts[i + 1] - starts[i]));
     });

@@ -1,8 +1,10 @@
 #include "boolean/neighborhoods/neighborhoods.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
+#include "boolean/collect.h"
 #include "boolean/line.h"
 #include "geometry/around_line.h"
 #include "sectile/errors.h"
@@ -21,22 +23,47 @@ LineSide line_side(const HalfPlane& h) {
   return {h.plane, h.forward};
 }
 
+// The faces and edges that carry one segment: few, as a rule.
+class CarriersSeen {
+ public:
+  void clear() {
+    few_.clear();
+    many_.clear();
+  }
+  /// True if it was not there.
+  bool add(Operand s, Entity e) {
+    const std::uint64_t key = std::uint64_t(s) << 32 | e.code();
+    if (std::find(few_.begin(), few_.end(), key) != few_.end()) return false;
+    if (few_.size() == most_of_few) return many_.insert(key).second;
+    few_.push_back(key);
+    return true;
+  }
+  std::size_t count() const { return few_.size() + many_.size(); }
+
+ private:
+  static constexpr std::size_t most_of_few = 12;
+  std::vector<std::uint64_t> few_;
+  std::set<std::uint64_t> many_;
+};
+
+// Makes segments whose places in the tables are known.
 class SegmentBuilder {
  public:
-  SegmentBuilder(const Workspace& w, const Contacts& contacts, const Wanted& wanted)
+  /// `first`: of the carriers of the first segment. Wedges are collected for each wanted operation.
+  SegmentBuilder(const Workspace& w, const Contacts& contacts, const Wanted& wanted,
+                 CarrierId first, Neighborhoods& found, std::vector<std::vector<WedgePair>>& wedges)
       : w_(w),
         kernel_(w.tests()),
         contacts_(contacts),
         wanted_(wanted),
+        found_(found),
+        wedges_(wedges),
+        next_carrier_(first),
         line_(kernel_, -1, Sign::zero) {
-    found_.wedges.resize(wanted.operations.size());
-    for (const Operand s : both_operands) {
-      last_with_face_[s].resize(w.patch[s].brep.face_count());
-      last_with_edge_[s].resize(w.patch[s].brep.edge_count());
-    }
+    wedges_.resize(wanted.operations.size());
   }
 
-  void operator()(std::span<const Keyed> records) {
+  void operator()(SegmentId id, std::span<const Keyed> records) {
     segment_ = {};
     const SegmentRecord& any = contacts_.segments[records[0].record];
     segment_.place[0] = any.place[0];
@@ -47,12 +74,10 @@ class SegmentBuilder {
     sort();
     classify();
     for (std::size_t i = 0; i < wanted_.operations.size(); ++i)
-      pair_wedges(wanted_.operations[i], found_.wedges[i]);
+      pair_wedges(wanted_.operations[i], wedges_[i]);
     if (wanted_.operations.empty()) cut_between_classes();
-    found_.segments.add(segment_);
+    found_.segments[id] = segment_;
   }
-
-  Neighborhoods take() { return std::move(found_); }
 
  private:
   struct Sorted {
@@ -64,24 +89,22 @@ class SegmentBuilder {
   std::span<HalfPlane> half_planes() { return found_.half_planes[segment_.half_planes]; }
 
   void add_carriers(std::span<const Keyed> records) {
-    const CarrierId first = found_.carriers.end_id();
+    segment_.carriers = {next_carrier_, next_carrier_};
+    seen_.clear();
     for (const Keyed& r : records)
       for (const Operand s : both_operands) add_carrier(s, contacts_.segments[r.record]);
-    segment_.carriers = found_.carriers.ids_from(first);
+    next_carrier_ = segment_.carriers.end_id();
   }
 
   void add_carrier(Operand s, const SegmentRecord& r) {
-    const SegmentId here = found_.segments.end_id();
-    SegmentId& last =
-        r.on[s].is_edge() ? last_with_edge_[s][r.on[s].edge()] : last_with_face_[s][r.on[s].face()];
-    if (std::exchange(last, here) == here) return;
-    Carrier carrier{};
+    if (!seen_.add(s, r.on[s])) return;
+    Carrier& carrier = found_.carriers[segment_.carriers.end_id()];
+    segment_.carriers.extend();
     carrier.operand = s;
     carrier.entity = r.on[s];
     carrier.end[0] = r.end[s][0];
     carrier.end[1] = r.end[s][1];
     if (carrier.entity.is_edge()) carrier.along = runs_along(s, carrier.entity.edge());
-    found_.carriers.add(carrier);
   }
 
   bool runs_along(Operand s, EdgeId e) const {
@@ -99,8 +122,10 @@ class SegmentBuilder {
                            axis);
   }
 
+  // Two for each carrier.
   void add_half_planes() {
-    const HalfPlaneId first = found_.half_planes.end_id();
+    const HalfPlaneId first(2 * segment_.carriers.front().value());
+    segment_.half_planes = {first, first};
     for (const CarrierId id : segment_.carriers) {
       const Carrier& c = found_.carriers[id];
       const Patch& patch = w_.patch[c.operand];
@@ -114,10 +139,11 @@ class SegmentBuilder {
           if (!patch.is_real(face))
             throw InternalError("a face that meets the other boundary was not loaded");
         }
-        found_.half_planes.add({c.operand, forward, id, face, patch.plane(face)});
+        found_.half_planes[segment_.half_planes.end_id()] =
+            HalfPlane{c.operand, forward, id, face, patch.plane(face)};
+        segment_.half_planes.extend();
       }
     }
-    segment_.half_planes = found_.half_planes.ids_from(first);
   }
 
   void find_line() {
@@ -212,13 +238,13 @@ class SegmentBuilder {
   const Kernel& kernel_;
   const Contacts& contacts_;
   const Wanted& wanted_;
-  Neighborhoods found_;
+  Neighborhoods& found_;
+  std::vector<std::vector<WedgePair>>& wedges_;
+  CarrierId next_carrier_;
   Segment segment_{};
+  CarriersSeen seen_;
   AroundLine line_;
   std::vector<Sorted> sorted_;
-  // Per face and edge of each patch: the last segment that it carries.
-  PerOperand<Table<FaceId, SegmentId>> last_with_face_;
-  PerOperand<Table<EdgeId, SegmentId>> last_with_edge_;
   std::vector<HalfPlaneId> kept_;
   std::vector<const HalfPlane*> one_side_;  // per carrier of the segment
 };
@@ -230,22 +256,77 @@ std::vector<Keyed> in_order(const std::vector<SegmentRecord>& records) {
     order.push_back({std::uint64_t(r.place[0].value()) << 32 | r.place[1].value(),
                      std::uint64_t(r.on[Operand::a].code()) << 32 | r.on[Operand::b].code(),
                      static_cast<std::uint32_t>(order.size())});
-  std::sort(order.begin(), order.end());
+  parallel::sort(order.begin(), order.end());
   return order;
 }
+
+// Makes the segments on all cores, some at a time.
+class Finder {
+ public:
+  Finder(const Workspace& w, const Contacts& contacts, const Wanted& wanted)
+      : w_(w), contacts_(contacts), wanted_(wanted), order_(in_order(contacts.segments)) {
+    for (std::size_t i = 0; i < order_.size(); ++i)
+      if (i == 0 || order_[i].places != order_[i - 1].places)
+        starts_.push_back(static_cast<std::uint32_t>(i));
+    starts_.push_back(static_cast<std::uint32_t>(order_.size()));
+  }
+
+  Neighborhoods run() {
+    const std::vector<CarrierId> first_carrier = first_carriers();
+    found_.segments.resize(segment_count());
+    found_.carriers.resize(first_carrier.back().value());
+    found_.half_planes.resize(2 * found_.carriers.size());
+    found_.wedges.resize(wanted_.operations.size());
+    using Wedges = std::vector<std::vector<WedgePair>>;
+    const auto parts = collect_ranges<Wedges>(
+        w_, segment_count(), chunk, [&](std::size_t first, std::size_t last, Wedges& wedges) {
+          SegmentBuilder build(w_, contacts_, wanted_, first_carrier[first / chunk], found_,
+                               wedges);
+          for (std::size_t i = first; i < last; ++i) build(SegmentId(i), records(i));
+        });
+    for (const Wedges& wedges : parts)
+      for (std::size_t i = 0; i < wedges.size(); ++i) append(found_.wedges[i], wedges[i]);
+    return std::move(found_);
+  }
+
+ private:
+  static constexpr std::size_t chunk = 256;
+
+  std::size_t segment_count() const { return starts_.size() - 1; }
+  std::span<const Keyed> records(std::size_t segment) const {
+    return std::span(order_).subspan(starts_[segment], starts_[segment + 1] - starts_[segment]);
+  }
+
+  // Of each chunk, and the end.
+  std::vector<CarrierId> first_carriers() const {
+    const auto counts = collect_ranges<std::size_t>(
+        w_, segment_count(), chunk, [&](std::size_t first, std::size_t last, std::size_t& count) {
+          CarriersSeen seen;
+          for (std::size_t i = first; i < last; ++i) {
+            seen.clear();
+            for (const Keyed& r : records(i))
+              for (const Operand s : both_operands) seen.add(s, contacts_.segments[r.record].on[s]);
+            count += seen.count();
+          }
+        });
+    std::vector<CarrierId> first = {CarrierId(0)};
+    for (const std::size_t count : counts) first.push_back(CarrierId(first.back().value() + count));
+    return first;
+  }
+
+  const Workspace& w_;
+  const Contacts& contacts_;
+  const Wanted& wanted_;
+  const std::vector<Keyed> order_;
+  std::vector<std::uint32_t> starts_;  // per segment: of its records; and the end
+  Neighborhoods found_;
+};
 
 }  // namespace
 
 Neighborhoods find_neighborhoods(const Workspace& w, const Contacts& contacts,
                                  const Wanted& wanted) {
-  const std::vector<Keyed> order = in_order(contacts.segments);
-  SegmentBuilder build(w, contacts, wanted);
-  for (std::size_t from = 0, to; from < order.size(); from = to) {
-    for (to = from + 1; to < order.size() && order[to].places == order[from].places;) ++to;
-    w.check_cancelled();
-    build(std::span(order).subspan(from, to - from));
-  }
-  return build.take();
+  return Finder(w, contacts, wanted).run();
 }
 
 }  // namespace sectile

@@ -70,7 +70,8 @@ class PlaceLeaver {
         vertices_(given.vertices),
         along_(along) {}
 
-  void leave_place(std::span<const SiteId> sites, std::vector<Leaving>& leaving) {
+  // True if an end leaves another site than was planned.
+  bool leave_place(std::span<const SiteId> sites, Table<PlannedEndId, Leaving>& leaving) {
     patch_ = &w_.patch[plan_.sites[sites[0]].operand];
     sites_here_.clear();
     vertices_here_.clear();
@@ -81,8 +82,13 @@ class PlaceLeaver {
     }
     std::sort(sites_here_.begin(), sites_here_.end());
     corners_known_ = false;
+    bool moved = false;
     for (const SiteId s : sites)
-      for (const PlannedEndId end : plan_.sites[s].ends) leaving.push_back(leave(s, end));
+      for (const PlannedEndId end : plan_.sites[s].ends) {
+        leaving[end] = leave(s, end);
+        moved |= leaving[end].end.site != s;
+      }
+    return moved;
   }
 
  private:
@@ -163,27 +169,19 @@ class Ordering {
         along_(given.n.carriers.size()) {}
 
   CutOrder run(const SitesByPlace& places) {
-    in_chunks(n_.segments.size(), [&](std::size_t i) {
+    for_each(w_, n_.segments.size(), chunk, [&](std::size_t i) {
       const Segment& segment = n_.segments[SegmentId(i)];
       for (const CarrierId c : segment.carriers)
         along_[c] = direction_along(segment, n_.carriers[c]);
     });
     leave(places);
-    group_by_site();
-    in_chunks(order_.at.size(), [&](std::size_t i) { sort(SiteId(i)); });
-    order_.ends.reserve(leaving_.size());
-    for (const Leaving& l : leaving_) order_.ends.add(l.end);
+    order_.ends.resize(leaving_.size());
+    for_each(w_, order_.at.size(), chunk, [&](std::size_t i) { sort(SiteId(i)); });
     return std::move(order_);
   }
 
  private:
   static constexpr std::size_t chunk = 512;
-
-  template <class Body>
-  void in_chunks(std::size_t count, const Body& body) const {
-    struct Nothing {};
-    collect<Nothing>(w_, count, chunk, [&](std::size_t i, Nothing&) { body(i); });
-  }
 
   // The direction of a segment within a face that it cuts.
   Direction direction_along(const Segment& segment, const Carrier& c) const {
@@ -196,45 +194,52 @@ class Ordering {
   }
 
   void leave(const SitesByPlace& places) {
-    const std::size_t count = places.size();
-    const auto parts = collect<std::vector<Leaving>>(
-        w_, (count + chunk - 1) / chunk, 1, [&](std::size_t c, std::vector<Leaving>& leaving) {
+    leaving_.resize(plan_.ends.size());
+    const auto moved = collect_ranges<std::uint8_t>(
+        w_, places.size(), chunk, [&](std::size_t first, std::size_t last, std::uint8_t& any) {
           PlaceLeaver leaver(given_, along_);
-          for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i)
-            leaver.leave_place(places[i], leaving);
+          for (std::size_t i = first; i < last; ++i) any |= leaver.leave_place(places[i], leaving_);
         });
-    leaving_.reserve(plan_.ends.size());
-    for (const std::vector<Leaving>& part : parts) append(leaving_, part);
+    order_.at.resize(plan_.sites.size());
+    if (std::ranges::find(moved, 1) != moved.end()) return group_by_site();
+    for (const SiteId s : plan_.sites.ids()) {
+      const IdRange<PlannedEndId>& planned = plan_.sites[s].ends;
+      order_.at[s] = {CutEndId(planned.front().value()), CutEndId(planned.end_id().value())};
+    }
   }
 
   void group_by_site() {
     Table<SiteId, std::uint32_t> count(plan_.sites.size());
     for (const Leaving& l : leaving_) ++count[l.end.site];
-    order_.at.reserve(plan_.sites.size());
     CutEndId next(0);
-    for (const std::uint32_t k : count) {
-      order_.at.add({next, next});
-      next = CutEndId(next.value() + k);
+    for (const SiteId s : count.ids()) {
+      order_.at[s] = {next, next};
+      next = CutEndId(next.value() + count[s]);
     }
-    Table<CutEndId, Leaving> grouped(leaving_.size());
+    Table<PlannedEndId, Leaving> grouped(leaving_.size());
     for (const Leaving& l : leaving_) {
       IdRange<CutEndId>& here = order_.at[l.end.site];
-      grouped[here.end_id()] = l;
+      grouped[PlannedEndId(here.end_id().value())] = l;
       here.extend();
     }
-    leaving_ = std::move(grouped.items());
+    leaving_ = std::move(grouped);
   }
 
   void sort(SiteId s) {
     const IdRange<CutEndId> range = order_.at[s];
-    if (range.size() < 2) return;
-    const Site& site = plan_.sites[s];
+    if (range.empty()) return;
+    const auto ends = std::span(leaving_.items()).subspan(range.front().value(), range.size());
+    if (range.size() > 1) sort(plan_.sites[s], given_.vertices[s].vertex, ends);
+    std::ranges::transform(ends, order_.ends[range].begin(),
+                           [](const Leaving& l) { return l.end; });
+  }
+
+  void sort(const Site& site, VertexId vertex, std::span<Leaving> ends) const {
     const Patch& patch = w_.patch[site.operand];
-    const auto ends = std::span(leaving_).subspan(range.front().value(), range.size());
     if (site.entity.is_face()) {
       sort_within_face(patch, site.entity.face(), ends);
     } else {
-      number_corners(patch, given_.vertices[s].vertex, ends);
+      number_corners(patch, vertex, ends);
       sort_around_vertex(patch, ends);
     }
   }
@@ -277,7 +282,7 @@ class Ordering {
   const CutPlan& plan_;
   Table<CarrierId, Direction> along_;  // for cut faces
   CutOrder order_;
-  std::vector<Leaving> leaving_;
+  Table<PlannedEndId, Leaving> leaving_;  // by site, once grouped
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "boolean/null_edges/cut_plan.h"
 
-#include <algorithm>
+#include "parallel/parallel.h"
 
 namespace sectile {
 namespace {
@@ -28,7 +28,7 @@ std::vector<Keyed> ends_in_order(const Neighborhoods& n) {
                         std::uint64_t(n.segments[s].place[which].value()) << 32 | ends.size(), s,
                         id, which});
     }
-  std::sort(ends.begin(), ends.end(), [](const Keyed& p, const Keyed& q) {
+  parallel::sort(ends.begin(), ends.end(), [](const Keyed& p, const Keyed& q) {
     return p.entity != q.entity ? p.entity < q.entity : p.place < q.place;
   });
   return ends;

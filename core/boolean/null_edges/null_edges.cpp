@@ -91,20 +91,21 @@ void reserve(Workspace& w, const CutPlan& plan) {
   for (const Operand s : both_operands) w.patch[s].reserve(more_edges[s]);
 }
 
-Cuts in_order(const CutPlan& plan, const CutOrder& order) {
+Cuts in_order(const Workspace& w, const CutPlan& plan, const CutOrder& order) {
   Cuts cuts;
-  cuts.sites.reserve(plan.sites.size());
-  for (const SiteId s : plan.sites.ids()) {
-    const Site& site = plan.sites[s];
-    cuts.sites.add({site.operand, site.entity, site.place, order.at[s]});
-  }
+  cuts.sites.resize(plan.sites.size());
+  cuts.ends.resize(order.ends.size());
   cuts.of_carrier.resize(plan.of_carrier.size());
-  cuts.ends.reserve(order.ends.size());
-  for (const OrderedEnd& end : order.ends) {
-    const PlannedEnd& planned = plan.ends[end.planned];
-    cuts.of_carrier[planned.carrier][planned.which] =
-        cuts.ends.add({end.site, planned.segment, planned.carrier, planned.which, {}, {}});
-  }
+  for_each(w, plan.sites.size(), 1024, [&](std::size_t i) {
+    const SiteId s(i);
+    const Site& site = plan.sites[s];
+    cuts.sites[s] = {site.operand, site.entity, site.place, order.at[s]};
+    for (const CutEndId end : order.at[s]) {
+      const PlannedEnd& planned = plan.ends[order.ends[end].planned];
+      cuts.ends[end] = {s, planned.segment, planned.carrier, planned.which, {}, {}};
+      cuts.of_carrier[planned.carrier][planned.which] = end;
+    }
+  });
   return cuts;
 }
 
@@ -118,7 +119,7 @@ Cuts insert_null_edges(Workspace& w, const Contacts& contacts, const Neighborhoo
   const SitesByPlace places(plan);
   PerOperand<OperandBridges> bridges = bridge_touching_corners(w, plan, places, vertices);
   const CutOrder order = order_cuts(w, contacts, neighborhoods, plan, places, vertices);
-  Cuts cuts = in_order(plan, order);
+  Cuts cuts = in_order(w, plan, order);
   for_both_operands(cuts.sites.size(), [&](Operand s) {
     SiteSplitter splitter(w.patch[s], contacts, cuts, bridges[s].null_edges);
     for (const SplitSite& site : cuts.sites) {

@@ -219,7 +219,7 @@ void make_points(Workspace& w, Table<ContactId, Contact>& contacts) {
     ConstructedPoint point;
   };
   Table<ContactId, Made> made(contacts.size());
-  collect<int>(w, contacts.size(), 64, [&](std::size_t i, int&) {
+  for_each(w, contacts.size(), 64, [&](std::size_t i) {
     const ContactId id(i);
     Contact& c = contacts[id];
     PointId known;
@@ -270,7 +270,7 @@ void number_contacts(const Workspace& w, ContactTable& table, Table<ContactId, C
     large_sort(hits, [](const Hit& p, const Hit& q) {
       return p.key() != q.key() ? p.key() < q.key() : p.found.code() < q.found.code();
     });
-    collect<int>(w, hits.size(), 1024, [&](std::size_t i, int&) {
+    for_each(w, hits.size(), 1024, [&](std::size_t i) {
       const std::uint64_t key = by_entities(contact_of(s, hits[i]));
       const auto at = std::lower_bound(
           contacts.begin(), contacts.end(), key,

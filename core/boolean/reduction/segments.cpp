@@ -126,8 +126,8 @@ class CrossingFaces {
   };
 
   CrossingFaces(const Workspace& w, const Contacts& found, const ContactTable& table,
-                Scratch& scratch, std::vector<SegmentRecord>& out)
-      : w_(w), kernel_(w.tests()), found_(found), table_(table), scratch_(scratch), out_(out) {}
+                std::vector<SegmentRecord>& out)
+      : w_(w), kernel_(w.tests()), found_(found), table_(table), out_(out) {}
 
   void operator()(const PairOfFaces& pair) {
     pair_ = pair;
@@ -245,7 +245,7 @@ class CrossingFaces {
   const Kernel& kernel_;
   const Contacts& found_;
   const ContactTable& table_;
-  Scratch& scratch_;
+  Scratch scratch_;
   std::vector<SegmentRecord>& out_;
   PairOfFaces pair_{};
   Kernel::AxisSign line_{};
@@ -265,7 +265,7 @@ class EdgeInPlane {
     const Direction along = direction_in(across.plane(pair.face), h);
     find_nodes(pair, h);
     Standing at{Where::outside, {}, {}};
-    for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < used_; ++i) {
       const auto& items = places_[i].items;
       if (!items.empty() || places_[i].inside)
         at = standing(kernel_, across, pair.face, items, along);
@@ -307,16 +307,15 @@ class EdgeInPlane {
   }
 
   void find_nodes(const InPlane& pair, HalfEdgeId h) {
-    places_.clear();
+    used_ = 0;
     const Brep& brep = w_.patch[s_].brep;
     const Patch& across = w_.patch[other(s_)];
     const Box near = across.unbounded ? Box::everything() : across.face_boxes[pair.face.value()];
     add_end(pair, brep.from(h));
     for (const ContactId i : nodes_.near(pair.edge, near)) {
       const Contact& c = found_.contacts[i];
-      if (places_.empty() || places_.back().place != c.place)
-        places_.push_back({c.place, pair.edge, false, {}});
-      add(places_.back(), pair.face, c.on[other(s_)]);
+      if (used_ == 0 || places_[used_ - 1].place != c.place) begin_node(c.place, pair.edge);
+      add(places_[used_ - 1], pair.face, c.on[other(s_)]);
     }
     add_end(pair, brep.to(h));
   }
@@ -324,8 +323,17 @@ class EdgeInPlane {
   void add_end(const InPlane& pair, VertexId v) {
     const std::span<const Hit> hits = table_.find(s_, v, pair.face);
     if (hits.empty()) return;
-    places_.push_back({found_.contacts[hits[0].contact].place, v, false, {}});
-    for (const Hit& hit : hits) add(places_.back(), pair.face, hit.found);
+    begin_node(found_.contacts[hits[0].contact].place, v);
+    for (const Hit& hit : hits) add(places_[used_ - 1], pair.face, hit.found);
+  }
+
+  void begin_node(PlaceId place, Entity mine) {
+    if (used_ == places_.size()) places_.emplace_back();
+    Node& node = places_[used_++];
+    node.place = place;
+    node.mine = mine;
+    node.inside = false;
+    node.items.clear();
   }
 
   void add(Node& node, FaceId face, Entity entity) {
@@ -361,30 +369,29 @@ class EdgeInPlane {
   const EdgeNodes& nodes_;
   Operand s_;
   std::vector<SegmentRecord>& out_;
-  std::vector<Node> places_;
+  std::vector<Node> places_;  // those used are of this edge; the others are kept for their memory
+  std::size_t used_ = 0;
 };
 
 }  // namespace
 
 void find_segments(const Workspace& w, const ContactTable& table, Contacts& found) {
   using Records = std::vector<SegmentRecord>;
-  struct Output {
-    Records records;
-    CrossingFaces::Scratch scratch;
-  };
-  for (const Output& o :
-       collect<Output>(w, table.pairs.size(), 128, [&](std::size_t i, Output&out) {
-         if (table.pairs[i].coplanar) return;
-         CrossingFaces(w, found, table, out.scratch, out.records)(table.pairs[i]);
-       }))
-    append(found.segments, o.records);
+  const auto of_pairs = collect_ranges<Records>(
+      w, table.pairs.size(), 128, [&](std::size_t first, std::size_t last, Records& out) {
+        CrossingFaces cross(w, found, table, out);
+        for (std::size_t i = first; i < last; ++i)
+          if (!table.pairs[i].coplanar) cross(table.pairs[i]);
+      });
+  for (const Records& r : of_pairs) append(found.segments, r);
   for (const Operand s : both_operands) {
     const EdgeNodes nodes(w, found, s);
-    for (const Records& r :
-         collect<Records>(w, table.in_plane[s].size(), 128, [&](std::size_t i, Records&out) {
-           EdgeInPlane(w, found, table, nodes, s, out)(table.in_plane[s][i]);
-         }))
-      append(found.segments, r);
+    const auto in_planes = collect_ranges<Records>(
+        w, table.in_plane[s].size(), 128, [&](std::size_t first, std::size_t last, Records& out) {
+          EdgeInPlane edge(w, found, table, nodes, s, out);
+          for (std::size_t i = first; i < last; ++i) edge(table.in_plane[s][i]);
+        });
+    for (const Records& r : in_planes) append(found.segments, r);
   }
 }
 

@@ -106,14 +106,6 @@ void refuse_crossings(TriangleMesh& mesh, const FlatPart& part, const ImportOpti
   mesh.geometry.planes.clear();
 }
 
-NewPart joined(FlatPart& part, const Kernel& kernel, const ImportOptions& options,
-               std::shared_ptr<const FacesAsRead>& as_read) {
-  JoinedFaces made = join_flat_faces(part.brep, part.geometry, kernel, options.face_groups);
-  as_read = std::move(made.as_read);
-  if (as_read) return {std::move(made.brep), std::move(made.geometry), {}};
-  return {std::move(part.brep), std::move(part.geometry), {}};
-}
-
 }  // namespace
 
 std::shared_ptr<SolidData> read_triangles(const SoupView& soup, const ImportOptions& options,
@@ -137,13 +129,15 @@ std::shared_ptr<SolidData> read_triangles(const SoupView& soup, const ImportOpti
   if (!options.trusted) refuse_crossings(mesh, part, steps.from_to(0.2, 0.9));
   TriangleBlocks blocks = make_triangle_blocks(mesh, part, origin);
   steps.done(0.95);
-  std::shared_ptr<const FacesAsRead> as_read;
-  NewPart rest = joined(part, kernel, options, as_read);
-  rest.outside = std::move(blocks.outside);
+  JoinedFaces joined = join_flat_faces(part.brep, part.geometry, kernel, options.face_groups);
+  const bool joins = joined.as_read != nullptr;
   std::shared_ptr<SolidData> data =
-      splice(SharedSlots(std::move(blocks.slots)), std::move(rest), false);
+      splice(SharedSlots(std::move(blocks.slots)),
+             {std::move(joins ? joined.brep : part.brep), joins ? joined.geometry : part.geometry,
+              std::move(blocks.outside)},
+             false);
   data->origin = origin;
-  data->as_read = std::move(as_read);
+  data->as_read = std::move(joined.as_read);
   return data;
 }
 

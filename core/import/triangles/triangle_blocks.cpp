@@ -105,12 +105,7 @@ class BlockMaker {
 
   void add_faces(std::uint32_t chunk, std::size_t triangles, Block& block) const {
     Brep& brep = block.brep;
-    brep.loop_face.reserve(triangles);
-    brep.loop_half_edge.reserve(triangles);
-    brep.next_loop.reserve(triangles);
-    brep.outer_loop.reserve(triangles);
-    brep.plane.reserve(triangles);
-    brep.source.reserve(triangles);
+    brep.reserve_faces(triangles);
     block.geometry.planes.reserve(triangles);
     for_each_triangle(chunk, [&](std::uint32_t t) {
       const HalfEdgeId h[] = {local_[3 * t], local_[3 * t + 1], local_[3 * t + 2]};

@@ -26,13 +26,18 @@ Counts counts(const Glued& glued) {
           glued.seams.size()};
 }
 
-Glued glued(const Solid& a, const Solid& b, Operation operation) {
-  Glued result = Phases(a, b, operation).glued();
+Glued glued(Phases& phases) {
+  Glued result = phases.glued();
   if (result.brep.face_count() > 0) {
     EXPECT_EQ(broken_links(result.brep, false), std::vector<std::string>{});
   }
   EXPECT_TRUE(result.outside.empty());  // solids of one block are made anew
   return result;
+}
+
+Glued glued(const Solid& a, const Solid& b, Operation operation) {
+  Phases phases(a, b, operation);
+  return glued(phases);
 }
 
 TEST(Gluing, CubesThatOverlapInACorner) {
@@ -54,6 +59,16 @@ TEST(Gluing, BlocksThatTouchInAnEdgeKeepAnEdgeEach) {
   EXPECT_EQ(counts(both), (Counts{16, 24, 12, 0}));
 }
 
+TEST(Gluing, AResultHasNoPlanesButThoseOfItsFaces) {
+  const auto planes = [](Operation operation) {
+    const Solid result = boolean(test::lower_cube(), test::upper_cube(), operation);
+    return result.data()->geometry().planes.size();
+  };
+  EXPECT_EQ(planes(Operation::unite), 12u);
+  EXPECT_EQ(planes(Operation::subtract), 9u);
+  EXPECT_EQ(planes(Operation::intersect), 6u);
+}
+
 TEST(Gluing, NothingThatStaysIsNothing) {
   EXPECT_EQ(counts(glued(test::lower_cube(), test::flush_block(), Operation::intersect)),
             (Counts{0, 0, 0, 0}));
@@ -61,9 +76,10 @@ TEST(Gluing, NothingThatStaysIsNothing) {
 
 TEST(Cleanup, ASeamBetweenPartsOfOneFaceGoesWithItsVertices) {
   const auto [above, below] = split(block({0, 0, 0}, {2, 2, 2}), {0, 0, 1, -1});
-  Glued both = glued(above, below, Operation::unite);
+  Phases phases(above, below, Operation::unite);
+  Glued both = glued(phases);
   EXPECT_EQ(counts(both), (Counts{12, 20, 10, 4}));
-  clean_up(both.brep, both.geometry, both.seams);
+  clean_up(both.brep, phases.w.geometry, both.seams);
   EXPECT_EQ(broken_links(both.brep, false), std::vector<std::string>{});
   EXPECT_EQ(both.brep.vertex_count(), 8u);
   EXPECT_EQ(both.brep.edge_count(), 12u);
@@ -71,8 +87,9 @@ TEST(Cleanup, ASeamBetweenPartsOfOneFaceGoesWithItsVertices) {
 }
 
 TEST(Cleanup, ASeamBetweenFacesOfDifferentSourcesStays) {
-  Glued both = glued(test::lower_cube(), test::flush_block(), Operation::unite);
-  clean_up(both.brep, both.geometry, both.seams);
+  Phases phases(test::lower_cube(), test::flush_block(), Operation::unite);
+  Glued both = glued(phases);
+  clean_up(both.brep, phases.w.geometry, both.seams);
   EXPECT_EQ(both.brep.face_count(), 10u);
   EXPECT_EQ(both.brep.edge_count(), 20u);
 }
