@@ -1,9 +1,11 @@
 // Solids as triangles. Faces that were joined on import, and not changed since, are given back as
 // they were read.
+#include <algorithm>
 #include <unordered_map>
 
 #include "geometry/moved_geometry.h"
 #include "import/face_triangles.h"
+#include "parallel/parallel.h"
 #include "sectile/solid.h"
 #include "storage/faces_as_read.h"
 #include "storage/moved_solid.h"
@@ -28,7 +30,6 @@ class MeshMaker {
             std::vector<FaceSource>& sources)
       : brep_(solid.data()->brep()),
         geometry_(solid.data()->geometry()),
-        faces_(brep_, geometry_),
         origin_(solid.origin()),
         read_(read.get()),
         sources_(sources),
@@ -37,8 +38,7 @@ class MeshMaker {
   }
 
   PolygonMesh run() {
-    for (const FaceId f : brep_.faces())
-      if (!read_ || read_->of(brep_.source[f].face).empty()) add_face(f);
+    add_faces();
     if (read_) add_what_was_read();
     return std::move(mesh_);
   }
@@ -70,10 +70,38 @@ class MeshMaker {
     sources_.push_back(source);
   }
 
-  void add_face(FaceId f) {
-    faces_.of(f, [&](PointId a, PointId b, PointId c) {
-      add_triangle({vertex(a), vertex(b), vertex(c)}, brep_.source[f]);
+  struct Triangle {
+    FaceId face;
+    std::array<PointId, 3> corners;
+  };
+
+  // Cut on all cores; vertices are numbered in the order of the faces.
+  void add_faces() {
+    constexpr std::size_t step = 1024;
+    std::vector<std::vector<Triangle>> parts((brep_.face_count() + step - 1) / step);
+    parallel::loop(0, parts.size(), [&](std::size_t p) {
+      FaceTriangles(brep_, geometry_, faces_to_cut(p * step, (p + 1) * step))
+          .for_each([&](FaceId f, PointId a, PointId b, PointId c) {
+            parts[p].push_back({f, {a, b, c}});
+          });
     });
+    std::size_t count = 0;
+    for (const auto& part : parts) count += part.size();
+    mesh_.indices.reserve(3 * count);
+    mesh_.face_sizes.reserve(count);
+    sources_.reserve(count);
+    for (const auto& part : parts)
+      for (const auto& [f, corners] : part)
+        add_triangle({vertex(corners[0]), vertex(corners[1]), vertex(corners[2])}, brep_.source[f]);
+  }
+
+  std::vector<FaceId> faces_to_cut(std::size_t first, std::size_t end) const {
+    std::vector<FaceId> faces;
+    for (std::size_t i = first; i < std::min(end, brep_.face_count()); ++i) {
+      const FaceId f(i);
+      if (!read_ || read_->of(brep_.source[f].face).empty()) faces.push_back(f);
+    }
+    return faces;
   }
 
   // Their vertices are those of the other faces where there are such.
@@ -96,7 +124,6 @@ class MeshMaker {
 
   const Brep& brep_;
   const Geometry& geometry_;
-  FaceTriangles faces_;
   std::uint32_t origin_;
   const FacesAsRead* read_;
   std::vector<Vec3> places_;  // of what was read

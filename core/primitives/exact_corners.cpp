@@ -48,12 +48,11 @@ ExactMesh exact_mesh(const Solid& solid) {
     }
     made.mesh.indices.push_back(n);
   };
-  FaceTriangles faces(brep, geometry);
-  for (const FaceId f : brep.faces())
-    faces.of(f, [&](PointId a, PointId b, PointId c) {
-      for (const PointId p : {a, b, c}) add_corner(p);
-      made.mesh.face_sizes.push_back(3);
-    });
+  const FaceTriangles faces(brep, geometry, {brep.faces().begin(), brep.faces().end()});
+  faces.for_each([&](FaceId, PointId a, PointId b, PointId c) {
+    for (const PointId p : {a, b, c}) add_corner(p);
+    made.mesh.face_sizes.push_back(3);
+  });
   return made;
 }
 
