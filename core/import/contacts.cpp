@@ -16,22 +16,6 @@ Vec3 corner(const Brep& brep, const Geometry& geometry, FaceId f) {
   return geometry.position(brep.point_of(brep.from(h)));
 }
 
-std::vector<FacePairContact> face_contacts(const TriangleSurface& surface, const Kernel& kernel,
-                                           const SelfTestControl& control) {
-  std::vector<FacePairContact> found;
-  for (const SelfContact& c : self_contacts(surface, kernel, control)) {
-    const auto [first, second] = std::minmax(surface.face[c.first], surface.face[c.second]);
-    found.push_back({FaceId(first), FaceId(second), c.kind, c.where});
-  }
-  const auto faces = [](const FacePairContact& c) { return std::pair(c.first, c.second); };
-  std::stable_sort(found.begin(), found.end(),
-                   [&](const auto& a, const auto& b) { return faces(a) < faces(b); });
-  found.erase(std::unique(found.begin(), found.end(),
-                          [&](const auto& a, const auto& b) { return faces(a) == faces(b); }),
-              found.end());
-  return found;
-}
-
 // `source` gives the input's number of a face.
 template <class Source>
 void refuse(const std::vector<FacePairContact>& found, const Source& source) {
@@ -55,6 +39,22 @@ void refuse(const std::vector<FacePairContact>& found, const Source& source) {
 }
 
 }  // namespace
+
+std::vector<FacePairContact> face_contacts(const TriangleSurface& surface, const Kernel& kernel,
+                                           const SelfTestControl& control) {
+  std::vector<FacePairContact> found;
+  for (const SelfContact& c : self_contacts(surface, kernel, control)) {
+    const auto [first, second] = std::minmax(surface.face[c.first], surface.face[c.second]);
+    found.push_back({FaceId(first), FaceId(second), c.kind, c.where});
+  }
+  const auto faces = [](const FacePairContact& c) { return std::pair(c.first, c.second); };
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const auto& a, const auto& b) { return faces(a) < faces(b); });
+  found.erase(std::unique(found.begin(), found.end(),
+                          [&](const auto& a, const auto& b) { return faces(a) == faces(b); }),
+              found.end());
+  return found;
+}
 
 std::vector<FacePairContact> face_contacts(const Brep& brep, const Kernel& kernel,
                                            const SelfTestControl& control) {

@@ -23,6 +23,9 @@ struct FacePairContact {
 /// Every two faces that meet in more than a solid's faces do, once each, in ascending order.
 std::vector<FacePairContact> face_contacts(const Brep& brep, const Kernel& kernel,
                                            const SelfTestControl& control = {});
+/// The same of triangles: FaceId stands for a triangle's face.
+std::vector<FacePairContact> face_contacts(const TriangleSurface& surface, const Kernel& kernel,
+                                           const SelfTestControl& control = {});
 
 /// "cross", "lie on each other", …
 const char* in_words(SelfContact::Kind kind);

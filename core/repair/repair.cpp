@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "arrangement/solids.h"
 #include "import/diagnosis.h"
 #include "import/flat_edges.h"
 #include "repair/borders.h"
+#include "repair/large_mesh.h"
 #include "repair/shells_alone.h"
 #include "repair/stitching.h"
 
@@ -26,12 +28,16 @@ class Repairer {
       : mesh_(mesh),
         options_(options),
         report_(report),
-        steering_{options.cancel, options.progress},
+        steering_{options.cancel, rising(options.progress)},
         balance_(options.rule == Rule::odd ? Balance::parity : Balance::oriented) {}
 
   Solid run() {
     report_ = {};
     const std::size_t faces = mesh_.face_sizes.size();
+    origin_ = new_origin();
+    const LargeMesh large = resolve_large_mesh(
+        {mesh_.positions, {}, mesh_.face_sizes, mesh_.indices}, options_.rule, origin_, steering_);
+    if (large.united) return read_straight(large);
     read(mesh_);
     if (options_.stitch > 0) stitch_borders();
     steering_.step(0.06);
@@ -44,7 +50,7 @@ class Repairer {
       return Solid();
     }
     steering_.step(0.15);
-    origin_ = new_origin();
+    if (large.is_tangled) return arranged();
     if (const auto simple =
             shells_alone(polygons_, mate, geometry_, *kernel_, options_.rule, origin_, steering_)) {
       note_faces(Kind::divided_faces, simple->divided);
@@ -55,6 +61,31 @@ class Repairer {
   }
 
  private:
+  // What is done again in another way is not told again.
+  static std::function<void(double)> rising(const std::function<void(double)>& progress) {
+    if (!progress) return {};
+    return [&progress, told = 0.0](double done) mutable {
+      if (done < told) return;
+      told = done;
+      progress(done);
+    };
+  }
+
+  Solid read_straight(const LargeMesh& large) {
+    note_united(large.input_vertex);
+    note_input_faces(Kind::divided_faces, large.united->divided, large.source);
+    note_input_faces(Kind::removed_faces, large.united->removed, large.source);
+    return Solid(large.united->data);
+  }
+
+  void note_input_faces(Kind kind, const std::vector<std::uint32_t>& faces,
+                        const std::vector<std::uint32_t>& source) {
+    if (faces.empty()) return;
+    std::uint32_t first = no_element;
+    for (const std::uint32_t f : faces) first = std::min(first, source[f]);
+    note(kind, faces.size(), mesh_.positions[mesh_.indices[3 * std::size_t(first)]], first);
+  }
+
   void note(Kind kind, std::size_t count, const Vec3& where, std::uint32_t face) {
     if (count > 0) report_.changes.push_back({kind, count, where, face});
   }
@@ -67,19 +98,19 @@ class Repairer {
     polygons_ = read_polygons({mesh.positions, {}, mesh.face_sizes, mesh.indices}, geometry_,
                               input_vertex_);
     kernel_ = std::make_unique<Kernel>(geometry_);
-    note_united(mesh);
+    note_united(input_vertex_);
     remove_flat_faces(polygons_, *kernel_);
     note_removed(mesh);
     steering_.step(0.05);
   }
 
-  void note_united(const PolygonMesh& mesh) {
-    const std::size_t united = mesh.positions.size() - geometry_.positions.size();
+  void note_united(const std::vector<std::uint32_t>& input_vertex) {
+    const std::size_t united = mesh_.positions.size() - input_vertex.size();
     if (united == 0) return;
     // The first one that is not the first at its place.
     std::uint32_t i = 0;
-    while (i < input_vertex_.size() && input_vertex_[i] == i) ++i;
-    note(Kind::united_vertices, united, mesh.positions[i], no_element);
+    while (i < input_vertex.size() && input_vertex[i] == i) ++i;
+    note(Kind::united_vertices, united, mesh_.positions[i], no_element);
   }
 
   void note_removed(const PolygonMesh& mesh) {

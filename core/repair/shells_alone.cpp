@@ -33,7 +33,8 @@ class ShellUniter {
     set_planes_and_sources(polygons_, origin_, brep_);
     const std::vector<FacePairContact> contacts = face_contacts(brep_, kernel_, part(0.16, 0.29));
     const Shells shells = find_shells(brep_);
-    if (!contacts.empty() && !only_shells_cross(contacts, shells)) return {};
+    if (!contacts.empty() && (rule_ == Rule::odd || !only_shells_cross(contacts, shells.of_face)))
+      return {};
     try {
       pin_flat_edges(brep_, geometry_, kernel_);
     } catch (const InvalidSolid&) {  // faces are folded onto each other
@@ -71,38 +72,13 @@ class ShellUniter {
     return ShellsUnited{std::move(all), {}, {}};
   }
 
-  bool only_shells_cross(const std::vector<FacePairContact>& contacts, const Shells& shells) const {
-    return rule_ != Rule::odd &&
-           std::all_of(contacts.begin(), contacts.end(), [&](const FacePairContact& c) {
-             return c.kind == SelfContact::Kind::crossing &&
-                    shells.of_face[c.first.value()] != shells.of_face[c.second.value()];
-           });
-  }
-
   std::optional<ShellsUnited> united(const std::vector<FacePairContact>& contacts,
                                      const Shells& shells) {
     for (const Sign sign : signs_of_volumes(brep_, geometry_, shells))
       if (sign != Sign::positive) return {};
     steering_.step(0.4);
     const std::vector<Solid> solids = solids_of(shells);
-    steering_.step(0.5);
-    arrangement::Steering steering{steering_.cancel, {}};
-    if (steering_.progress)
-      steering.progress = [this](double done) { steering_.progress(0.5 + 0.49 * done); };
-    const Solid all = arrangement::combine(solids, Operation::unite, steering);
-    const SolidData& made = *all.data();
-    const auto slots = made.slots();
-    auto data = std::make_shared<SolidData>(std::vector<Slot>(slots.begin(), slots.end()),
-                                            made.touches_itself());
-    data->origin = origin_;
-    ShellsUnited result{data, {}, removed_faces(*data)};
-    for (const FacePairContact& c : contacts)
-      result.divided.insert(result.divided.end(), {c.first.value(), c.second.value()});
-    std::sort(result.divided.begin(), result.divided.end());
-    result.divided.erase(std::unique(result.divided.begin(), result.divided.end()),
-                         result.divided.end());
-    steering_.step(1);
-    return result;
+    return unite_shells(solids, contacts, polygons_.source, origin_, steering_);
   }
 
   // They share nothing, but come out of one cut.
@@ -127,21 +103,6 @@ class ShellUniter {
     return solids;
   }
 
-  std::vector<std::uint32_t> removed_faces(const SolidData& data) const {
-    std::vector<std::uint8_t> used;
-    for (const Slot& slot : data.slots())
-      if (!slot.empty())
-        for (const FaceSource& source : slot.block->brep.source) {
-          if (source.face >= used.size()) used.resize(source.face + 1, 0);
-          used[source.face] = 1;
-        }
-    std::vector<std::uint32_t> removed;
-    for (std::uint32_t f = 0; f < polygons_.source.size(); ++f)
-      if (polygons_.source[f] >= used.size() || used[polygons_.source[f]] == 0)
-        removed.push_back(f);
-    return removed;
-  }
-
   const Polygons& polygons_;
   const std::vector<std::uint32_t>& mate_;
   Geometry& geometry_;
@@ -152,7 +113,57 @@ class ShellUniter {
   Brep brep_;
 };
 
+std::vector<std::uint32_t> unused_faces(const SolidData& data,
+                                        std::span<const std::uint32_t> source) {
+  std::vector<std::uint8_t> used;
+  for (const Slot& slot : data.slots())
+    if (!slot.empty())
+      for (const FaceSource& from : slot.block->brep.source) {
+        if (from.face >= used.size()) used.resize(from.face + 1, 0);
+        used[from.face] = 1;
+      }
+  std::vector<std::uint32_t> unused;
+  for (std::uint32_t f = 0; f < source.size(); ++f)
+    if (source[f] >= used.size() || used[source[f]] == 0) unused.push_back(f);
+  return unused;
+}
+
+std::vector<std::uint32_t> faces_of(std::span<const FacePairContact> contacts) {
+  std::vector<std::uint32_t> faces;
+  for (const FacePairContact& c : contacts)
+    faces.insert(faces.end(), {c.first.value(), c.second.value()});
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
 }  // namespace
+
+bool only_shells_cross(std::span<const FacePairContact> contacts,
+                       std::span<const std::uint32_t> shell_of) {
+  return std::all_of(contacts.begin(), contacts.end(), [&](const FacePairContact& c) {
+    return c.kind == SelfContact::Kind::crossing &&
+           shell_of[c.first.value()] != shell_of[c.second.value()];
+  });
+}
+
+ShellsUnited unite_shells(const std::vector<Solid>& solids,
+                          std::span<const FacePairContact> contacts,
+                          std::span<const std::uint32_t> source, std::uint32_t origin,
+                          const arrangement::Steering& steering) {
+  steering.step(0.5);
+  arrangement::Steering inner{steering.cancel, {}};
+  if (steering.progress)
+    inner.progress = [&](double done) { steering.progress(0.5 + 0.49 * done); };
+  const Solid all = arrangement::combine(solids, Operation::unite, inner);
+  const SolidData& made = *all.data();
+  const auto slots = made.slots();
+  auto data = std::make_shared<SolidData>(std::vector<Slot>(slots.begin(), slots.end()),
+                                          made.touches_itself());
+  data->origin = origin;
+  steering.step(1);
+  return {data, faces_of(contacts), unused_faces(*data, source)};
+}
 
 std::optional<ShellsUnited> shells_alone(const Polygons& polygons,
                                          const std::vector<std::uint32_t>& mate, Geometry& geometry,

@@ -30,7 +30,7 @@ Bounds bounds_of(const Geometry& geometry) {
 }  // namespace
 
 bool encloses_volume(const TriangleMesh& mesh) {
-  const auto [low, high] = bounds_of(mesh.geometry);
+  const auto [low, high] = bounds_of(*mesh.geometry);
   const Sum sum = parallel::reduce(
       tbb::blocked_range<std::size_t>(0, mesh.triangle_count(), 4096), Sum(),
       [&, low = low](const auto& range, Sum part) {

@@ -76,7 +76,7 @@ class PartBuilder {
 
   PointId point(PointId p) {
     std::uint32_t& known = points_[p.value()];
-    if (known == IdMap::none) known = part_.geometry.add_point(mesh_.geometry.position(p)).value();
+    if (known == IdMap::none) known = part_.geometry.add_point(mesh_.geometry->position(p)).value();
     return PointId(known);
   }
 

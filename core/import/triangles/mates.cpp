@@ -69,15 +69,16 @@ class MateFinder {
   }
 
   /// Once all mates are found.
-  bool is_one_shell() const {
+  ShellOfTriangle shells() const {
     DisjointSets sets(mesh_.triangle_count());
     for (std::size_t i = 0; i < all_open_.size(); i += 2)
       sets.unite(piece(all_open_[i].corner), piece(all_open_[i + 1].corner));
+    if (is_one(sets)) return {};
     for (std::uint32_t c = 0; c < mesh_.chunk_count(); ++c)
       for (std::uint32_t t = mesh_.chunk_begin(c); t < mesh_.chunk_end(c); ++t)
-        if (pieces_[c][t - mesh_.chunk_begin(c)] == t - mesh_.chunk_begin(c) && sets.first(t) != 0)
-          return false;
-    return true;
+        sets.unite(t, mesh_.chunk_begin(c) + first(pieces_[c], place_in_chunk(3 * t, c)));
+    auto [of, count] = std::move(sets).numbered();
+    return {count, std::move(of)};
   }
 
  private:
@@ -156,6 +157,14 @@ class MateFinder {
     return is_plain_;
   }
 
+  bool is_one(DisjointSets& sets) const {
+    for (std::uint32_t c = 0; c < mesh_.chunk_count(); ++c)
+      for (std::uint32_t t = mesh_.chunk_begin(c); t < mesh_.chunk_end(c); ++t)
+        if (pieces_[c][t - mesh_.chunk_begin(c)] == t - mesh_.chunk_begin(c) && sets.first(t) != 0)
+          return false;
+    return true;
+  }
+
   // A piece goes by its least triangle.
   std::uint32_t piece(std::uint32_t corner) const {
     const std::uint32_t chunk = mesh_.chunk_of(corner);
@@ -174,7 +183,7 @@ class MateFinder {
 class Umbrellas {
  public:
   explicit Umbrellas(const TriangleMesh& mesh)
-      : mesh_(mesh), some_corner_(mesh.geometry.positions.size(), none) {}
+      : mesh_(mesh), some_corner_(mesh.geometry->positions.size(), none) {}
 
   bool all_plain() {
     const auto corner_count = static_cast<std::uint32_t>(mesh_.corners.size());
@@ -228,13 +237,15 @@ class Umbrellas {
 
 }  // namespace
 
-bool find_mates(TriangleMesh& mesh) {
+std::optional<ShellOfTriangle> find_mates(TriangleMesh& mesh) {
   MateFinder finder(mesh);
-  if (!finder.run()) return false;
-  bool one_shell = false, all_plain = false;
-  parallel::invoke([&] { one_shell = finder.is_one_shell(); },
+  if (!finder.run()) return {};
+  ShellOfTriangle shells;
+  bool all_plain = false;
+  parallel::invoke([&] { shells = finder.shells(); },
                    [&] { all_plain = Umbrellas(mesh).all_plain(); });
-  return one_shell && all_plain;
+  if (!all_plain) return {};
+  return shells;
 }
 
 }  // namespace sectile

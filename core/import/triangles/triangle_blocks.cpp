@@ -100,7 +100,7 @@ class BlockMaker {
     geometry.positions.reserve(points.size());
     geometry.construct.reserve(points.size());
     brep.point.reserve(points.size());
-    for (const PointId p : points) brep.point.add(geometry.add_point(mesh_.geometry.position(p)));
+    for (const PointId p : points) brep.point.add(geometry.add_point(mesh_.geometry->position(p)));
   }
 
   void add_faces(std::uint32_t chunk, std::size_t triangles, Block& block) const {

@@ -1,13 +1,15 @@
 // A large mesh of triangles on its straight way into blocks.
 //
-// Most large meshes are closed surfaces of one shell without anything to be resolved: two triangles
-// at each edge, one cycle of them around each point, volume within. Their blocks are made straight
-// from the mesh, block by block and in parallel; there never is one structure of all triangles.
-// Whatever else a mesh is, the general way (import.cpp) takes it and says what is wrong with it.
+// Most large meshes are closed surfaces without anything to be resolved: two triangles at each
+// edge, one cycle of them around each point, volume within each shell. Their blocks are made
+// straight from the mesh, block by block and in parallel; there never is one structure of all
+// triangles. Whatever else a mesh is, the general way (import.cpp) takes it and says what is wrong
+// with it.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "geometry/geometry.h"
@@ -19,7 +21,7 @@ namespace sectile {
 /// of which a block is made. Triangle t has the corners 3t, 3t + 1 and 3t + 2; each corner stands
 /// for the half-edge that leaves it.
 struct TriangleMesh {
-  Geometry geometry;
+  std::shared_ptr<Geometry> geometry;  ///< the points of the input; shells of one mesh share them
   std::vector<PointId> corners;
   std::vector<std::uint32_t> source;  ///< per triangle: the face of the input
   /// Per corner: the one whose half-edge runs the other way between the same points.
@@ -58,7 +60,7 @@ struct TriangleMesh {
   }
   PointId from(std::uint32_t corner) const { return corners[corner]; }
   PointId to(std::uint32_t corner) const { return corners[next(corner)]; }
-  const Vec3& position(std::uint32_t corner) const { return geometry.position(corners[corner]); }
+  const Vec3& position(std::uint32_t corner) const { return geometry->position(corners[corner]); }
 };
 
 }  // namespace sectile
