@@ -40,6 +40,12 @@ fi
 if ! is_installed libosmesa6 && apt-cache show libosmesa6 >/dev/null 2>&1; then
   missing+=(libosmesa6)
 fi
+# Debian 13 has another clang-format: see .ci/check_format.
+if ! apt-cache show clang-format-14 >/dev/null 2>&1; then
+  for i in "${!missing[@]}"; do
+    [[ "${missing[i]}" != clang-format-14 ]] || unset "missing[i]"
+  done
+fi
 [[ ${#missing[@]} -gt 0 ]] || exit 0
 
 need_root
