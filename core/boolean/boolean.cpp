@@ -11,6 +11,7 @@
 #include "boolean/report/report.h"
 #include "boolean/save_operands.h"
 #include "sectile/errors.h"
+#include "storage/shared_points.h"
 #include "storage/splice.h"
 #include "topology/links.h"
 
@@ -29,8 +30,16 @@ bool operands_touch_themselves(const Workspace& w) {
   });
 }
 
+// Faces of several blocks were loaded, and in these a place may have several points.
+bool places_have_points_of_their_own(const Workspace& w) {
+  return std::any_of(w.patch.begin(), w.patch.end(), [](const Patch& patch) {
+    return patch.solid && patch.solid->slots().size() > 1 && patch.solid->touches_itself();
+  });
+}
+
 // The glued part, cleaned up, together with the blocks that are shared.
 Solid solid_of(const Workspace& w, Glued glued) {
+  if (places_have_points_of_their_own(w)) share_points(glued.brep, w.tests());
   clean_up(glued.brep, w.geometry, glued.seams);
   const bool touches = !glued.shared.slots.empty() && operands_touch_themselves(w);
   Solid solid(splice(std::move(glued.shared),

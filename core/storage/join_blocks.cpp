@@ -1,9 +1,8 @@
 #include "storage/join_blocks.h"
 
-#include <algorithm>
-
 #include "geometry/kernel.h"
 #include "storage/geometry_loader.h"
+#include "storage/shared_points.h"
 #include "topology/vertex_cycles.h"
 
 namespace sectile {
@@ -22,7 +21,7 @@ class Joiner {
       if (!solid_.slot(s).empty()) add_block(s);
     if (!brep_.edge_plane.empty()) brep_.edge_plane.resize(edges_);
     make_vertices(brep_, start_);
-    if (solid_.touches_itself()) share_points();
+    if (solid_.touches_itself()) share_points(brep_, Kernel(geometry_));  // blocks have their own
   }
 
  private:
@@ -81,33 +80,6 @@ class Joiner {
       brep_.edge_plane[Brep::edge_of(joined_[s][Brep::half_edge(e).value()])] =
           offset.plane(from.edge_plane[e]);
     }
-  }
-
-  // Blocks have points of their own.
-  void share_points() {
-    const Kernel kernel(geometry_);
-    std::vector<VertexId> order(brep_.vertices().begin(), brep_.vertices().end());
-    const auto position = [&](VertexId v) -> const Vec3& {
-      return geometry_.position(brep_.point_of(v));
-    };
-    std::sort(order.begin(), order.end(), [&](VertexId i, VertexId j) {
-      const Vec3 &p = position(i), &q = position(j);
-      return std::tie(p.x, p.y, p.z, i) < std::tie(q.x, q.y, q.z, j);
-    });
-    for (std::size_t from = 0, to; from < order.size(); from = to) {
-      const Vec3 place = position(order[from]);
-      for (to = from + 1; to < order.size() && position(order[to]) == place; ++to)
-        share_point(kernel, std::span(order).subspan(from, to - from), brep_.point[order[to]]);
-    }
-  }
-
-  // With the first of those before it that is at the same point.
-  void share_point(const Kernel& kernel, std::span<const VertexId> before, PointId& point) {
-    for (const VertexId v : before)
-      if (kernel.same_point(brep_.point[v], point)) {
-        point = brep_.point[v];
-        return;
-      }
   }
 
   const SolidData& solid_;

@@ -203,6 +203,24 @@ TEST(Soups, AHundredAgainstCountedCells) {
   expect_faultless(1, 100, 3);
 }
 
+// The union touches itself in an edge that lies in one of its faces. Where it is in several blocks,
+// its two vertices at an end of that edge have points of their own.
+TEST(Soups, ADifferenceWithAUnionThatTouchesItself) {
+  const Complex complex = Complex::tetrahedra(2);
+  const auto solid = [&](Mask cells) {
+    return Solid::from_mesh(Boundary(complex, cells).mesh(Meshing::merged));
+  };
+  const Mask body = 12901681170, parts[] = {246505436938296, 2048, 274877906952};
+  Solid all;
+  Mask cells = 0;
+  for (const Mask part : parts) {
+    all = boolean(all, solid(part), Operation::unite);
+    cells |= part;
+  }
+  EXPECT_EQ(fault(boolean(solid(body), all, Operation::subtract), complex, body & ~cells, true),
+            "");
+}
+
 class SoupsExhaustive : public testing::TestWithParam<unsigned> {};
 
 TEST_P(SoupsExhaustive, TwoThousandAgainstCountedCells) {
