@@ -39,7 +39,10 @@ bool places_have_points_of_their_own(const Workspace& w) {
 
 // The glued part, cleaned up, together with the blocks that are shared.
 Solid solid_of(const Workspace& w, Glued glued) {
-  if (places_have_points_of_their_own(w)) share_points(glued.brep, w.tests());
+  if (places_have_points_of_their_own(w)) {
+    w.kernel->refresh();  // gluing added points and planes
+    share_points(glued.brep, w.tests());
+  }
   clean_up(glued.brep, w.geometry, glued.seams);
   const bool touches = !glued.shared.slots.empty() && operands_touch_themselves(w);
   Solid solid(splice(std::move(glued.shared),

@@ -195,6 +195,20 @@ TEST(Blocks, LongChainsDoNotLeaveManySmallBlocks) {
   expect_legal(body);
 }
 
+// Two opposite quarters of a cube touch in an edge whose ends are points in which planes meet.
+TEST(Blocks, WhatTouchesItselfWherePlanesMeet) {
+  const auto [front, back] = split(block({-1, -1, -1}, {1, 1, 1}), {-0.2, 1, 0.2, -0.05});
+  const HalfSpace side{1, 0.3, 0.1, -0.05};
+  const Solid one = split(front, side).first, other = split(back, side).second;
+  const Solid both = boolean(one, other, Operation::unite);
+  const Solid corner = block({-1, -1, -1.5}, {0, 0, -0.5});
+  EXPECT_EQ(boolean(corner, both, Operation::subtract),
+            boolean(boolean(corner, one, Operation::subtract), other, Operation::subtract));
+  EXPECT_EQ(boolean(both, corner, Operation::subtract),
+            boolean(boolean(one, corner, Operation::subtract),
+                    boolean(other, corner, Operation::subtract), Operation::unite));
+}
+
 TEST(Blocks, ASolidMinusItselfIsEmpty) {
   const Solid solid = many_faces();
   EXPECT_TRUE(boolean(solid, solid, Operation::subtract).is_empty());
