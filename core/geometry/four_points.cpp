@@ -1,5 +1,7 @@
 #include "geometry/four_points.h"
 
+#include <cmath>
+
 #include "geometry/formulas.h"
 #include "numbers/bounded.h"
 #include "numbers/dyadic.h"
@@ -22,6 +24,10 @@ Number volume_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 bool in_one_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   if (clearly_off_plane(a, b, c, d) || volume_of<Bounded>(a, b, c, d).decided()) return false;
   return volume_of<Dyadic>(a, b, c, d).sign() == Sign::zero;
+}
+
+double six_times_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return std::abs(volume_of<Dyadic>(a, b, c, d).nearest());
 }
 
 }  // namespace sectile

@@ -30,6 +30,9 @@ inline bool clearly_off_plane(const Vec3& a, const Vec3& b, const Vec3& c, const
 /// Are four points in one plane? Decided exactly.
 bool in_one_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
+/// Six times the volume of the tetrahedron that four points span, without sign; rounded once.
+double six_times_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
 /// Is a point certainly not in a plane of a geometry? False if that takes more than looking at
 /// given points.
 inline bool clearly_off_plane(const Geometry& geometry, PointId point, PlaneId plane) {

@@ -167,6 +167,10 @@ void RoundingAttempt::note_report(RoundingReport& report) const {
   report.separated = separated_;
   report.largest_move = before_.largest();
   report.largest_at = before_.largest_at();
+  if (repair_ && repair_->widest_flip() > report.largest_move) {
+    report.largest_move = repair_->widest_flip();
+    report.largest_at = repair_->widest_flip_at();
+  }
   std::vector<double> moves;
   for (std::uint32_t v = 0; v < rounded_.point.size(); ++v) {
     const Vec3& to = rounded_.position(repair_ ? repair_->gone_to(v) : v);

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
-#include <unordered_set>
 
+#include "geometry/four_points.h"
 #include "parallel/parallel.h"
 
 namespace sectile {
@@ -21,11 +22,23 @@ Vec3 minus(const Vec3& a, const Vec3& b) {
 Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-double dot(const Vec3& a, const Vec3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 double length(const Vec3& a) {
   return std::hypot(a.x, a.y, a.z);
+}
+
+// Between the two parallel planes nearest to each other that hold four points: those of a face and
+// the fourth point, or of two edges that do not meet.
+double thickness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const double volume = six_times_volume(a, b, c, d);
+  if (volume == 0) return 0;
+  const Vec3 ab = minus(b, a), ac = minus(c, a), ad = minus(d, a), bc = minus(c, b),
+             bd = minus(d, b), cd = minus(d, c);
+  double widest = 0;
+  for (const Vec3& n : {cross(ab, ac), cross(ab, ad), cross(ac, ad), cross(bc, bd), cross(ab, cd),
+                        cross(ac, bd), cross(ad, bc)})
+    widest = std::max(widest, length(n));
+  return widest > 0 && std::isfinite(widest) ? volume / widest
+                                             : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -140,13 +153,8 @@ bool RoundingRepair::improve(std::uint32_t triangle, double reach) {
   return try_merges(vertices, reach) || try_moves(vertices, reach);
 }
 
-// How far two lines are apart.
-double RoundingRepair::gap(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
-  const Vec3 n = cross(minus(b, a), minus(d, c));
-  const double size = length(n);
-  return size > 0 ? std::abs(dot(n, minus(c, a))) / size : 0;
-}
-
+// Between the surfaces before and after lies the tetrahedron of both triangles: it must be flat but
+// for rounding, whatever face each comes from.
 bool RoundingRepair::try_flips(std::uint32_t s, double reach) {
   if (rounded_.alive[s] == 0) return false;
   for (std::size_t j = 0; j < 3; ++j) {
@@ -159,12 +167,14 @@ bool RoundingRepair::try_flips(std::uint32_t s, double reach) {
     for (const std::uint32_t v : rounded_.corners[t])
       if (v != corners[j] && v != corners[(j + 1) % 3]) far = v;
     const Vec3& d = rounded_.position(far);
-    const double step = std::max(grid_.step(a), grid_.step(c));
-    if (!(rounded_.source[s] == rounded_.source[t]) && gap(a, b, c, d) > 2 * reach * step) continue;
+    const double step = std::max({grid_.step(a), grid_.step(b), grid_.step(c), grid_.step(d)});
+    const double moves = thickness(a, b, c, d);
+    if (moves > 2 * reach * step || moves > options_.max_move) continue;
     const FaceSource of_s = rounded_.source[s], of_t = rounded_.source[t];
     if (!changes_.flip(s, j)) continue;
     if (!accept()) continue;
     ++flipped_;
+    if (moves > widest_flip_) widest_flip_ = moves, widest_flip_at_ = a;
     // Of two faces, the one with the larger triangle there takes both.
     const double area_s = length(cross(minus(b, a), minus(c, a))),
                  area_t = length(cross(minus(b, a), minus(d, a)));

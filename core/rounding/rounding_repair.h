@@ -36,6 +36,9 @@ class RoundingRepair {
   }
   std::size_t merged() const { return merged_; }
   std::size_t flipped() const { return flipped_; }
+  /// How far the surface moved where an edge became the other diagonal, and where.
+  double widest_flip() const { return widest_flip_; }
+  const Vec3& widest_flip_at() const { return widest_flip_at_; }
 
  private:
   struct Move {
@@ -54,7 +57,6 @@ class RoundingRepair {
   std::vector<std::uint32_t> vertices_near(std::uint32_t triangle) const;
   double distance(std::uint32_t vertex, const Vec3& to) const;
   bool may_go(std::uint32_t vertex, const Vec3& to) const;
-  double gap(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const;
 
   RoundedSurface& rounded_;
   LocalChanges changes_;
@@ -62,6 +64,8 @@ class RoundingRepair {
   const Rounding& options_;
   std::vector<std::uint32_t> gone_to_;
   std::size_t merged_ = 0, flipped_ = 0;
+  double widest_flip_ = 0;
+  Vec3 widest_flip_at_;
 };
 
 }  // namespace sectile

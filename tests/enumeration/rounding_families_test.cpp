@@ -9,6 +9,7 @@
 #include "sectile/sectile.h"
 #include "unit/exact_mesh_checker.h"
 #include "unit/manifold_check.h"
+#include "unit/same_shape.h"
 
 namespace sectile::test {
 namespace {
@@ -16,8 +17,9 @@ namespace {
 using Numbers = Rounding::Numbers;
 
 std::string fault_of(const Solid& solid, const Rounding& rounding) {
-  const PolygonMesh mesh = rounded_mesh(solid, rounding).mesh;
-  return ExactMeshChecker(mesh).verdict();
+  const RoundedMesh rounded = rounded_mesh(solid, rounding);
+  const std::string fault = ExactMeshChecker(rounded.mesh).verdict();
+  return fault.empty() ? shape_fault(solid, rounded) : fault;
 }
 
 // In doubles, floats, and on a grid that is hardly finer than the cells.
@@ -82,10 +84,12 @@ TEST(RoundingFamiliesExhaustive, AllSetsOfCellsAsManifolds) {
         rounding.numbers = numbers;
         rounding.spacing = 0x1p-10;
         rounding.separate_touching = true;
-        const PolygonMesh mesh =
-            rounded_mesh(turned ? transformed(cells, placement(mask)) : cells, rounding).mesh;
-        EXPECT_EQ(ExactMeshChecker(mesh).verdict(), "") << mask << " numbers " << int(numbers);
-        EXPECT_EQ(manifold_fault(mesh), "") << mask << " numbers " << int(numbers);
+        const Solid solid = turned ? transformed(cells, placement(mask)) : cells;
+        const RoundedMesh rounded = rounded_mesh(solid, rounding);
+        SCOPED_TRACE(std::to_string(mask) + " numbers " + std::to_string(int(numbers)));
+        EXPECT_EQ(ExactMeshChecker(rounded.mesh).verdict(), "");
+        EXPECT_EQ(manifold_fault(rounded.mesh), "");
+        EXPECT_EQ(shape_fault(solid, rounded), "");
       }
 }
 

@@ -9,6 +9,7 @@
 #include "sectile/sectile.h"
 #include "unit/exact_mesh_checker.h"
 #include "unit/manifold_check.h"
+#include "unit/same_shape.h"
 
 namespace sectile {
 namespace {
@@ -72,6 +73,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     const std::string verdict = test::ExactMeshChecker(rounded.mesh).verdict();
     require(verdict.empty(), "what is written is legal: " + verdict);
+    require(test::shape_fault(result, rounded).empty(), "what is written is the same solid");
     if (rounding.separate_touching)
       require(test::manifold_fault(rounded.mesh).empty(), "what is separated is a manifold");
     if (rounded.mesh.face_sizes.empty()) continue;

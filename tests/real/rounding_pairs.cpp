@@ -13,5 +13,5 @@ int main(int argc, char** argv) {
   for (int i = 3; i < argc; ++i) pairs.add(argv[i]);
   pairs.run(std::stoi(argv[1]));
   std::cout << pairs.summary() << "\n";
-  return pairs.illegal() + pairs.refused() > 0;
+  return pairs.illegal() + pairs.other_shape() + pairs.refused() > 0;
 }

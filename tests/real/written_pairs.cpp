@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "unit/exact_mesh_checker.h"
+#include "unit/same_shape.h"
 
 namespace sectile::test {
 namespace {
@@ -63,12 +64,13 @@ std::string WrittenPairs::summary() const {
   char text[600];
   std::snprintf(
       text, sizeof text,
-      "%zu meshes, %d pairs, %d meshes written: %d illegal, %d refused, %d resolved on a "
+      "%zu meshes, %d pairs, %d meshes written: %d illegal, %d of another shape, %d refused, %d "
+      "resolved on a "
       "coarser grid, %d corners not at the nearest place; Booleans %.0f ms, rounding %.0f "
       "ms; in doubles the median of the meshes' median moves is %.3g, the largest move "
       "%.3g units in the last place of 1, in floats %.3g and %.3g",
-      meshes(), pairs_, written_, illegal_, refused_, resolved_, displaced_, boolean_, rounding_,
-      median(Numbers::doubles), largest_[0], median(Numbers::floats), largest_[1]);
+      meshes(), pairs_, written_, illegal_, other_shape_, refused_, resolved_, displaced_, boolean_,
+      rounding_, median(Numbers::doubles), largest_[0], median(Numbers::floats), largest_[1]);
   return text;
 }
 
@@ -120,6 +122,10 @@ void WrittenPairs::write(const Solid& solid, Numbers numbers, const std::string&
   if (const std::string fault = ExactMeshChecker(rounded.mesh).verdict(); !fault.empty()) {
     std::printf("ILLEGAL %s numbers %d: %s\n", name.c_str(), int(numbers), fault.c_str());
     ++illegal_;
+  }
+  if (const std::string fault = shape_fault(solid, rounded); !fault.empty()) {
+    std::printf("ANOTHER SHAPE %s numbers %d: %s\n", name.c_str(), int(numbers), fault.c_str());
+    ++other_shape_;
   }
   std::fflush(stdout);
 }

@@ -23,6 +23,8 @@ class WrittenPairs {
   std::size_t meshes() const { return solids_.size(); }
   int written() const { return written_; }
   int illegal() const { return illegal_; }
+  /// Those that moves as large as reported do not explain.
+  int other_shape() const { return other_shape_; }
   int refused() const { return refused_; }
   /// Over all corners that moved, in units in the last place of 1.
   double median(Rounding::Numbers numbers) const;
@@ -36,7 +38,8 @@ class WrittenPairs {
   std::mt19937 random_;
   std::vector<Solid> solids_;
   std::vector<std::string> names_;
-  int pairs_ = 0, written_ = 0, illegal_ = 0, refused_ = 0, resolved_ = 0, displaced_ = 0;
+  int pairs_ = 0, written_ = 0, illegal_ = 0, other_shape_ = 0, refused_ = 0, resolved_ = 0,
+      displaced_ = 0;
   double boolean_ = 0, rounding_ = 0, largest_[2] = {0, 0};
   std::vector<double> medians_[2];  // per mesh written in doubles, in floats
 };

@@ -22,6 +22,7 @@ TEST(WrittenPairsExhaustive, AreLegalAndHardlyMoved) {
   std::printf("%s\n", pairs.summary().c_str());
   EXPECT_GT(pairs.written(), 150);
   EXPECT_EQ(pairs.illegal(), 0);
+  EXPECT_EQ(pairs.other_shape(), 0);
   EXPECT_EQ(pairs.refused(), 0);
   EXPECT_LE(pairs.median(Rounding::Numbers::doubles), 1);
   EXPECT_LE(pairs.median(Rounding::Numbers::floats), 1);

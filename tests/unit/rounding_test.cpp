@@ -10,12 +10,14 @@
 #include "sectile/sectile.h"
 #include "unit/exact_mesh_checker.h"
 #include "unit/manifold_check.h"
+#include "unit/same_shape.h"
 
 namespace sectile {
 namespace {
 
 using test::ExactMeshChecker;
 using test::manifold_fault;
+using test::shape_fault;
 using Numbers = Rounding::Numbers;
 
 Rounding to(Numbers numbers, double spacing = 1) {
@@ -36,13 +38,15 @@ double unit_of(const PolygonMesh& mesh, Numbers numbers) {
 RoundedMesh expect_legal(const Solid& solid, const Rounding& rounding) {
   RoundedMesh rounded = rounded_mesh(solid, rounding);
   EXPECT_EQ(ExactMeshChecker(rounded.mesh).verdict(), "");
+  EXPECT_EQ(shape_fault(solid, rounded), "");
   EXPECT_EQ(rounded.sources.size(), rounded.mesh.face_sizes.size());
   if (rounding.numbers == Numbers::floats) {
     for (const Vec3& p : rounded.mesh.positions)
       for (const double c : {p.x, p.y, p.z})
         EXPECT_EQ(c, static_cast<double>(static_cast<float>(c)));
   }
-  if (rounding.numbers != Numbers::grid && rounded.report.resolved == 0) {
+  const bool vanishes = rounded.mesh.positions.empty();
+  if (rounding.numbers != Numbers::grid && rounded.report.resolved == 0 && !vanishes) {
     EXPECT_LE(rounded.report.median_move, 1.8 * unit_of(rounded.mesh, rounding.numbers));
   }
   return rounded;
@@ -89,6 +93,17 @@ TEST(Rounding, ChainsOfTurnedCubes) {
                   i % 3 == 0 ? Operation::intersect : Operation::unite);
     expect_legal_in_all_numbers(all);
   }
+}
+
+// Faces of both come from one face, but do not lie in one plane: no edge between them is a
+// diagonal.
+TEST(Rounding, ASolidWithItsOwnTurnedCopy) {
+  const double t = 1 / 3.0;
+  const Transform turn{{t, -2 * t, 2 * t, 0, 2 * t, 2 * t, t, 0, -2 * t, t, 2 * t, 1}};
+  for (const Solid& body : {block({0, 0, 0}, {2, 2, 3}), block({0, 0, 1}, {2, 2, 3}),
+                            block({2, 0, 0}, {3, 2, 3}), block({1, 2, 1}, {3, 3, 3})})
+    for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract})
+      expect_legal_in_all_numbers(boolean(body, transformed(body, turn), operation));
 }
 
 TEST(Rounding, WhatHasItsPlaceStays) {
