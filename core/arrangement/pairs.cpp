@@ -186,16 +186,26 @@ class PairTest {
   const Kernel& kernel_;
 };
 
+// Do two edges that follow each other on one line run against each other?
+bool turns_back(const Facets& facets, std::uint32_t c, std::uint32_t d, const Kernel& kernel) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (const Sign way = kernel.compare(facets.from(c), facets.to(c), axis); way != Sign::zero)
+      return kernel.compare(facets.from(d), facets.to(d), axis) != way;
+  return true;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> find_convex(const Facets& facets, const Kernel& kernel) {
   std::vector<std::uint8_t> convex(facets.face_count(), 1);
-  const auto turns_right = [&](std::size_t f) {
+  // Along a slit, too, where a loop goes back on its own line.
+  const auto is_bent_inwards = [&](std::size_t f) {
     const int axis = kernel.main_axis(facets.plane[f]);
     const Sign right = -kernel.normal(facets.plane[f], axis);
     for (std::uint32_t c = facets.begin(f); c < facets.end(f); ++c) {
       const std::uint32_t d = facets.next[c];
-      if (kernel.turn(facets.from(c), facets.from(d), facets.to(d), axis) == right) return true;
+      const Sign turn = kernel.turn(facets.from(c), facets.from(d), facets.to(d), axis);
+      if (turn == right || (turn == Sign::zero && turns_back(facets, c, d, kernel))) return true;
     }
     return false;
   };
@@ -203,7 +213,7 @@ std::vector<std::uint8_t> find_convex(const Facets& facets, const Kernel& kernel
     for (std::size_t f = range.begin(); f < range.end(); ++f) {
       if (facets.polygons.is_triangle(f)) continue;
       convex[f] =
-          facets.polygons.face_end[f] == facets.polygons.first_loop(f) + 1 && !turns_right(f);
+          facets.polygons.face_end[f] == facets.polygons.first_loop(f) + 1 && !is_bent_inwards(f);
     }
   });
   return convex;

@@ -21,7 +21,7 @@ struct FacePair {
   friend auto operator<=>(const FacePair&, const FacePair&) = default;
 };
 
-/// Is the face one loop without a turn to the right?
+/// Is the face one loop without a turn to the right or back?
 std::vector<std::uint8_t> find_convex(const Facets& facets, const Kernel& kernel);
 
 /// All pairs that may meet, in order. From the tree of the faces' boxes against itself.

@@ -123,6 +123,27 @@ TEST(Arrangement, ManySpheresAreWhatPairwiseBooleansMake) {
   EXPECT_NEAR(sum, unite(std::span(spheres).first(12)).volume(), 1e-10);
 }
 
+// A notch reaches the bottom in an edge: the bottom's loop runs along it from the rim and back.
+TEST(Arrangement, BlocksOnAFaceWithASlitFromItsRim) {
+  const Transform upright{{0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0}};
+  const Solid notch = transformed(extrude({{{1, 0}, {1.5, 1}, {0.5, 1}}, {}}, 2), upright);
+  const Solid body = boolean(block({0, 0, 0}, {3, 3, 1}), notch, Operation::subtract);
+  EXPECT_EQ(body.volume(), 8);
+  for (const Solid& other : {block({0.5, 1, 0}, {2.5, 2, 0.5}), block({0.5, 0, -1}, {2.5, 1, 0}),
+                             block({0, 1, 0}, {3, 4, 1}), block({-1, 0.5, 0}, {1, 1.5, 1})}) {
+    const Solid both[] = {body, other};
+    double sum = 0;
+    for (const SolidCell& cell : cells(both)) {
+      sum += cell.solid.volume();
+      const bool in_both = cell.operands.size() == 2;
+      EXPECT_EQ(cell.solid, in_both                 ? boolean(body, other, Operation::intersect)
+                            : cell.operands[0] == 0 ? boolean(body, other, Operation::subtract)
+                                                    : boolean(other, body, Operation::subtract));
+    }
+    EXPECT_EQ(sum, boolean(body, other, Operation::unite).volume());
+  }
+}
+
 TEST(Arrangement, EmptyAndFarOperands) {
   const Solid cube = block({0, 0, 0}, {2, 2, 2}), far = block({5, 5, 5}, {6, 6, 6}),
               corner = block({1, 1, 1}, {3, 3, 3});
