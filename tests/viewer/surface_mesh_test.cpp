@@ -23,6 +23,16 @@ TEST(SurfaceMesh, NormalsPointOutwards) {
     EXPECT_GT(glm::dot(mesh->positions[i], mesh->normals[i]), 0);
 }
 
+// Their faces have the same sources, but meet in edges.
+TEST(SurfaceMesh, ABlockWithItsTurnedCopyHasAllItsHardEdges) {
+  const Solid bar = block({-2, -0.5, -0.5}, {2, 0.5, 0.5});
+  const Solid cross = boolean(
+      bar, transformed(bar, Transform{{0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0}}), Operation::unite);
+  const SurfacePart part = classify(cross, block({5, 5, 5}, {6, 6, 6})).a_out_b;
+  EXPECT_EQ(surface_mesh(part)->hard_edges.size(), 2 * cross.counts().edges);
+  EXPECT_EQ(surface_mesh(cross)->hard_edges.size(), 2 * cross.counts().edges);
+}
+
 TEST(SurfaceMesh, PartsWithHolesAreTriangulatedWhole) {
   const Solid plate = block({-2, -2, -1}, {2, 2, 1}), rod = cylinder(1, 4, 24);
   const Solid moved = transformed(rod, Transform::translation({0, 0, -2}));

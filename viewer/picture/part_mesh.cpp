@@ -92,11 +92,12 @@ SmoothGroups sort_edges(SurfaceMesh& surface, const SurfacePart& part, const Cor
   SmoothGroups groups(corners.first_of_face.back());
   for (const auto& [edge, along] : edges_of(part, corners)) {
     const bool inner = along.size() == 2;
+    const double cosine =
+        inner ? glm::dot(corners.normals[along[0].face], corners.normals[along[1].face]) : 0;
+    const bool smooth = cosine > cosine_of_sharpest_smooth_edge;
+    // A face and its image, if a solid was united with its own moved copy, have one source, too.
     const bool one_face =
-        inner && part.faces[along[0].face].source == part.faces[along[1].face].source;
-    const bool smooth =
-        inner && glm::dot(corners.normals[along[0].face], corners.normals[along[1].face]) >
-                     cosine_of_sharpest_smooth_edge;
+        cosine > 1 - 1e-6 && part.faces[along[0].face].source == part.faces[along[1].face].source;
     if (smooth) {
       groups.join(along[0].at_first, along[1].at_first);
       groups.join(along[0].at_second, along[1].at_second);
