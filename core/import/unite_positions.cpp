@@ -17,24 +17,21 @@ class PositionTable {
   explicit PositionTable(std::span<const Vec3> positions)
       : positions_(positions), slots_(std::bit_ceil(2 * positions.size() + 1), none) {}
 
-  void add(std::uint32_t i) {
+  /// The slot of all positions that are equal to this one.
+  std::size_t add(std::uint32_t i) {
     for (std::size_t at = hash(positions_[i]) & mask();; at = (at + 1) & mask()) {
       std::atomic_ref slot(slots_[at]);
       std::uint32_t known = slot.load(std::memory_order_relaxed);
       if (known == none && slot.compare_exchange_strong(known, i, std::memory_order_relaxed))
-        return;
+        return at;
       if (!(positions_[known] == positions_[i])) continue;
       while (i < known && !slot.compare_exchange_weak(known, i, std::memory_order_relaxed)) {
       }
-      return;
+      return at;
     }
   }
-  /// The first position that is equal, once all were added.
-  std::uint32_t first(std::uint32_t i) const {
-    std::size_t at = hash(positions_[i]) & mask();
-    while (!(positions_[slots_[at]] == positions_[i])) at = (at + 1) & mask();
-    return slots_[at];
-  }
+  /// The first position of a slot, once all were added.
+  std::uint32_t first(std::size_t slot) const { return slots_[slot]; }
 
  private:
   std::size_t mask() const { return slots_.size() - 1; }
@@ -64,9 +61,10 @@ void for_each(std::size_t count, const Body& body) {
 std::vector<PointId> unite_positions(std::span<const Vec3> positions, Geometry& geometry,
                                      std::vector<std::uint32_t>& input_vertex) {
   PositionTable table(positions);
-  for_each(positions.size(), [&](std::uint32_t i) { table.add(i); });
-  std::vector<std::uint32_t> first(positions.size());
-  for_each(positions.size(), [&](std::uint32_t i) { first[i] = table.first(i); });
+  std::vector<std::uint32_t> first(positions.size());  // at first: the slot
+  for_each(positions.size(),
+           [&](std::uint32_t i) { first[i] = static_cast<std::uint32_t>(table.add(i)); });
+  for_each(positions.size(), [&](std::uint32_t i) { first[i] = table.first(first[i]); });
   std::vector<PointId> points(positions.size());
   input_vertex.reserve(positions.size());
   for (std::uint32_t i = 0; i < first.size(); ++i) {

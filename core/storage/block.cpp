@@ -1,34 +1,19 @@
 #include "storage/block.h"
 
+#include "numbers/disjoint_sets.h"
 #include "parallel/once_alone.h"
 
 namespace sectile {
 namespace {
 
 Pieces find_pieces(const Block& block) {
-  constexpr std::uint32_t none = 0xFFFFFFFFu;
   const Brep& brep = block.brep;
-  Pieces pieces;
-  pieces.of_face.assign(brep.face_count(), none);
-  std::vector<FaceId> front;
-  const auto reach = [&](FaceId f) {
-    if (pieces.of_face[f.value()] != none) return;
-    pieces.of_face[f.value()] = pieces.count;
-    front.push_back(f);
-  };
-  for (std::size_t f = 0; f < brep.face_count(); ++f) {
-    if (pieces.of_face[f] != none) continue;
-    reach(FaceId(f));
-    while (!front.empty()) {
-      const FaceId face = front.back();
-      front.pop_back();
-      for_each_in_face(brep, face, [&](HalfEdgeId h) {
-        if (!block.is_border(h)) reach(brep.face_of(Brep::twin(h)));
-      });
-    }
-    ++pieces.count;
-  }
-  return pieces;
+  DisjointSets sets(brep.face_count());
+  for (std::size_t e = block.border_count; e < brep.edge_count(); ++e)
+    sets.unite(brep.face_of(Brep::half_edge(EdgeId(e), 0)).value(),
+               brep.face_of(Brep::half_edge(EdgeId(e), 1)).value());
+  auto [of_face, count] = std::move(sets).numbered();
+  return {std::move(of_face), count};
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
-#include "parallel/scratch.h"
 
 namespace sectile {
 namespace {
@@ -27,33 +26,30 @@ std::uint64_t line_of(const TriangleMesh& mesh, std::uint32_t corner) {
   return std::uint64_t(low) << 32 | high;
 }
 
-// The half-edges of one chunk by their lines. Small enough to stay in the fastest memory.
-class LineTable {
+// The half-edges of one chunk that wait for their other halves, by the vertices that they leave.
+// All are numbered within the chunk.
+class Waiting {
  public:
-  void clear() {
-    if (++round_ == 0) {
-      slots_.fill({});
-      round_ = 1;
-    }
+  void clear(std::size_t vertices) { std::fill_n(first_.begin(), vertices, nothing); }
+  void add(std::uint16_t half_edge, std::uint16_t from, std::uint16_t to) {
+    to_[half_edge] = to;
+    after_[half_edge] = first_[from];
+    first_[from] = half_edge;
   }
-  /// The half-edge that was met on this line before; none: this one is kept for the next.
-  std::uint32_t& corner_on(std::uint64_t line, bool& is_new) {
-    std::size_t i = line * 0x9E3779B97F4A7C15u >> (64 - bits);
-    while (slots_[i].round == round_ && slots_[i].line != line) i = (i + 1) % slots_.size();
-    is_new = slots_[i].round != round_;
-    if (is_new) slots_[i] = {line, none, round_};
-    return slots_[i].corner;
+  /// Takes away one that runs from one vertex to another; nothing if there is none.
+  std::uint16_t take(std::uint16_t from, std::uint16_t to) {
+    for (std::uint16_t* at = &first_[from]; *at != nothing; at = &after_[*at])
+      if (to_[*at] == to) {
+        const std::uint16_t found = *at;
+        *at = after_[found];
+        return found;
+      }
+    return nothing;
   }
+  static constexpr std::uint16_t nothing = 0xFFFF;
 
  private:
-  static constexpr int bits = 11;
-  static_assert(2 * 3 * TriangleMesh::most_of_a_chunk < 1u << bits);
-  struct Slot {
-    std::uint64_t line = 0;
-    std::uint32_t corner = none, round = 0;
-  };
-  std::array<Slot, std::size_t(1) << bits> slots_{};
-  std::uint32_t round_ = 0;
+  std::array<std::uint16_t, std::size_t(3) * TriangleMesh::most_of_a_chunk> first_, after_, to_;
 };
 
 class MateFinder {
@@ -65,7 +61,7 @@ class MateFinder {
 
   bool run() {
     match_within_chunks();
-    return is_plain_ && match_between_chunks();
+    return match_between_chunks();
   }
 
   /// Once all mates are found.
@@ -88,36 +84,35 @@ class MateFinder {
   static_assert(TriangleMesh::most_of_a_chunk <= 256);
 
   void match_within_chunks() {
-    parallel::Scratch<LineTable> tables;
     parallel::loop(tbb::blocked_range<std::uint32_t>(0, mesh_.chunk_count(), 8),
                    [&](const auto& range) {
-                     tables.lend([&](LineTable& table) {
-                       for (std::uint32_t c = range.begin(); c < range.end(); ++c)
-                         if (!match_within(c, table)) is_plain_ = false;
-                     });
+                     Waiting waiting;
+                     for (std::uint32_t c = range.begin(); c < range.end(); ++c)
+                       match_within(c, waiting);
                    });
   }
 
-  bool match_within(std::uint32_t chunk, LineTable& table) {
-    table.clear();
+  void match_within(std::uint32_t chunk, Waiting& waiting) {
+    waiting.clear(mesh_.vertex_count[chunk]);
     Pieces& pieces = pieces_[chunk];
     for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i] = static_cast<std::uint8_t>(i);
     const std::uint32_t begin = 3 * mesh_.chunk_begin(chunk), end = 3 * mesh_.chunk_end(chunk);
+    std::size_t open = end - begin;
     for (std::uint32_t corner = begin; corner < end; ++corner) {
-      bool is_new;
-      std::uint32_t& known = table.corner_on(line_of(mesh_, corner), is_new);
-      if (is_new) {
-        known = corner;
+      const std::uint16_t from = mesh_.vertex[corner],
+                          to = mesh_.vertex[TriangleMesh::next(corner)];
+      const std::uint16_t other = waiting.take(to, from);
+      if (other == Waiting::nothing) {
+        waiting.add(static_cast<std::uint16_t>(corner - begin), from, to);
         continue;
       }
-      if (known == none || mesh_.from(known) == mesh_.from(corner)) return false;
-      pair(known, corner);
-      unite(pieces, place_in_chunk(known, chunk), place_in_chunk(corner, chunk));
-      known = none;
+      pair(begin + other, corner);
+      unite(pieces, static_cast<std::uint8_t>(other / 3), place_in_chunk(corner, chunk));
+      open -= 2;
     }
+    open_[chunk].reserve(open);
     for (std::uint32_t corner = begin; corner < end; ++corner)
       if (mesh_.mate[corner] == none) open_[chunk].push_back({line_of(mesh_, corner), corner});
-    return true;
   }
 
   std::uint8_t place_in_chunk(std::uint32_t corner, std::uint32_t chunk) const {

@@ -1,10 +1,14 @@
 #include "import/triangles/triangle_blocks.h"
 
+#include <algorithm>
+#include <array>
+
 #include "parallel/parallel.h"
-#include "search/id_map.h"
 
 namespace sectile {
 namespace {
+
+constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 class BlockMaker {
  public:
@@ -82,14 +86,15 @@ class BlockMaker {
   // In the order in which they are met; points have their numbers.
   void add_vertices(std::uint32_t chunk, std::size_t triangles, Block& block) const {
     Brep& brep = block.brep;
-    IdMap numbers(triangles);
+    std::array<std::uint32_t, std::size_t(3) * TriangleMesh::most_of_a_chunk> numbers;
+    std::fill_n(numbers.begin(), mesh_.vertex_count[chunk], none);
     std::vector<PointId> points;
     points.reserve(triangles);
     brep.vertex_half_edge.reserve(triangles);
     for_each_corner(chunk, [&](std::uint32_t corner) {
       const HalfEdgeId h = local_[corner];
-      std::uint32_t& known = numbers[mesh_.from(corner).value()];
-      if (known == IdMap::none) {
+      std::uint32_t& known = numbers[mesh_.vertex[corner]];
+      if (known == none) {
         known = static_cast<std::uint32_t>(points.size());
         points.push_back(mesh_.from(corner));
         brep.vertex_half_edge.add(h);

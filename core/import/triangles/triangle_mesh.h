@@ -27,6 +27,10 @@ struct TriangleMesh {
   /// Per corner: the one whose half-edge runs the other way between the same points.
   std::vector<std::uint32_t> mate;
 
+  /// Per corner: the number of its point within its chunk, in the order in which points are met.
+  std::vector<std::uint16_t> vertex;
+  std::vector<std::uint16_t> vertex_count;  ///< per chunk
+
   /// The first triangle of each chunk, and the end.
   std::vector<std::uint32_t> chunk_begins;
   static constexpr std::uint32_t most_of_a_chunk = faces_of_a_block + 2 * few_faces;

@@ -6,6 +6,7 @@
 #include "import/flat_edges.h"
 #include "import/join_flat_faces.h"
 #include "import/soup.h"
+#include "import/triangles/chunk_vertices.h"
 #include "import/triangles/enclosed_volume.h"
 #include "import/triangles/mates.h"
 #include "import/triangles/triangle_blocks.h"
@@ -60,6 +61,7 @@ class ShellReader {
     const Keys keys = read_corners();
     if (!put_in_order(keys)) return {};
     corners_ = {};
+    number_vertices_in_chunks(mesh_);
     steps_.done(0.05);
     const auto shells = find_mates(mesh_);
     if (!shells) return {};
@@ -131,6 +133,7 @@ class ShellReader {
     for (std::size_t s = 0; s < made_.shells.size(); ++s) {
       made_.shells[s].geometry = mesh_.geometry;
       cut_into_chunks(keys_of[s], made_.shells[s]);
+      number_vertices_in_chunks(made_.shells[s]);
     }
   }
 
