@@ -43,11 +43,13 @@ struct RoundingReport {
   std::size_t moved = 0;      ///< those whose exact place the mesh cannot have
   std::size_t displaced = 0;  ///< those that could not go to the nearest place
   std::size_t merged = 0;     ///< those that went to the place of a neighbour
-  std::size_t flipped = 0;    ///< edges between two triangles replaced by the other diagonal
+  std::size_t flipped = 0;    ///< edges between two triangles that are flat together but for
+                              ///< rounding, replaced by the other diagonal
   std::size_t separated = 0;  ///< corners moved from where the solid touches itself
   std::size_t resolved = 0;   ///< how often corners went to a coarser grid, because faces could not
                               ///< be kept apart otherwise, and what crossed then was united
-  double largest_move = 0, median_move = 0;
+  double largest_move = 0;    ///< of a corner, or of the surface where an edge was replaced
+  double median_move = 0;     ///< of the corners that moved
   Vec3 largest_at;
 };
 
