@@ -14,15 +14,6 @@
 namespace sectile::test {
 namespace {
 
-Solid unite(const Solid& a, const Solid& b) {
-  return boolean(a, b, Operation::unite);
-}
-Solid meet(const Solid& a, const Solid& b) {
-  return boolean(a, b, Operation::intersect);
-}
-Solid minus(const Solid& a, const Solid& b) {
-  return boolean(a, b, Operation::subtract);
-}
 Solid moved(const Solid& solid, const Vec3& by) {
   return transformed(solid, Transform::translation(by));
 }

@@ -15,6 +15,16 @@ inline const char* name_of(Operation operation) {
                                              : "subtract";
 }
 
+inline Solid unite(const Solid& a, const Solid& b) {
+  return boolean(a, b, Operation::unite);
+}
+inline Solid meet(const Solid& a, const Solid& b) {
+  return boolean(a, b, Operation::intersect);
+}
+inline Solid minus(const Solid& a, const Solid& b) {
+  return boolean(a, b, Operation::subtract);
+}
+
 inline Mask combined(Mask a, Mask b, Operation operation) {
   return operation == Operation::unite ? a | b : operation == Operation::intersect ? a & b : a & ~b;
 }

@@ -16,16 +16,6 @@
 namespace sectile::test {
 namespace {
 
-Solid unite(const Solid& a, const Solid& b) {
-  return boolean(a, b, Operation::unite);
-}
-Solid meet(const Solid& a, const Solid& b) {
-  return boolean(a, b, Operation::intersect);
-}
-Solid minus(const Solid& a, const Solid& b) {
-  return boolean(a, b, Operation::subtract);
-}
-
 struct Results {
   Results(const Solid& a, const Solid& b)
       : x(a),
