@@ -113,6 +113,14 @@ std::vector<std::uint32_t> LocalChanges::opponents(std::uint32_t triangle) const
   return found;
 }
 
+bool LocalChanges::any_fixed(std::span<const std::uint32_t> triangles) const {
+  if (rounded_.fixed.empty()) return false;
+  for (const std::uint32_t t : triangles)
+    for (const std::uint32_t v : rounded_.corners[t])
+      if (rounded_.fixed[v] != 0) return true;
+  return false;
+}
+
 void LocalChanges::begin(std::vector<std::uint32_t> triangles, std::uint32_t around) {
   saved_.clear();
   moved_from_ = PointId();
@@ -244,7 +252,9 @@ void LocalChanges::sort_wedges(std::uint32_t from, std::uint32_t to, std::vector
 
 bool LocalChanges::move(std::uint32_t vertex, const Vec3& to) {
   if (rounded_.position(vertex) == to) return false;
-  begin(star(vertex), vertex);
+  std::vector<std::uint32_t> around = star(vertex);
+  if (any_fixed(around)) return false;
+  begin(std::move(around), vertex);
   moved_vertex_ = vertex;
   moved_from_ = rounded_.point[vertex];
   rounded_.point[vertex] = rounded_.geometry.add_point(to);
@@ -258,6 +268,7 @@ bool LocalChanges::merge(std::uint32_t vertex, std::uint32_t into) {
   std::vector<std::uint32_t> both = star(vertex);
   const std::vector<std::uint32_t> others = star(into);
   both.insert(both.end(), others.begin(), others.end());
+  if (any_fixed(both)) return false;
   begin(std::move(both));
   std::vector<std::uint32_t>& more = more_[into];
   for (const std::uint32_t t : concerned_) {
@@ -278,7 +289,8 @@ bool LocalChanges::merge(std::uint32_t vertex, std::uint32_t into) {
 }
 
 bool LocalChanges::flip(std::uint32_t s, std::size_t j) {
-  const std::uint32_t t = rounded_.surface.mate[s][j];
+  const std::uint32_t t = rounded_.surface.mate[s][j], both[] = {s, t};
+  if (any_fixed(both)) return false;
   const std::uint32_t a = rounded_.corners[s][j], b = rounded_.corners[s][next(j)],
                       c = rounded_.corners[s][next(next(j))];
   const std::size_t k = edge_of(rounded_.corners[t], b, a);

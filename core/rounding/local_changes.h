@@ -25,7 +25,8 @@ class LocalChanges {
   /// Those with which a triangle meets as it must not.
   std::vector<std::uint32_t> opponents(std::uint32_t triangle) const;
 
-  /// One change at a time, to be kept or undone. False if there is no such change.
+  /// One change at a time, to be kept or undone. False if there is no such change, or it concerns
+  /// fixed vertices.
   bool move(std::uint32_t vertex, const Vec3& to);
   bool merge(std::uint32_t vertex, std::uint32_t into);
   /// Edge k of a triangle.
@@ -53,6 +54,7 @@ class LocalChanges {
     std::uint8_t alive, ignored;
   };
 
+  bool any_fixed(std::span<const std::uint32_t> triangles) const;
   void begin(std::vector<std::uint32_t> triangles, std::uint32_t around = no_vertex);
   void save(std::uint32_t triangle);
   void settle();

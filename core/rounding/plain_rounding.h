@@ -1,4 +1,4 @@
-// The usual case: all corners go to the nearest places, and nothing meets that did not.
+// The usual case: most corners have their places, and what rounding makes meet is mended nearby.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace sectile {
 
-/// The mesh, if this is so, and certain without a look at the whole: most corners have not moved,
-/// the triangles with a moved corner meet nothing in their surroundings, and there is one shell.
-/// Works block by block. Nothing does not mean that it is not so.
+/// The mesh, if no look at the whole is needed for it: most corners stay, and where triangles
+/// with a moved corner meet something, other diagonals or moves of corners nearby make them legal.
+/// Works block by block. Nothing does not mean that it cannot be had.
 std::optional<RoundedMesh> plain_rounding(const SolidData& data, const RoundingGrid& grid,
-                                          RoundingSteps& steps);
+                                          const Rounding& options, RoundingSteps& steps);
 
 }  // namespace sectile

@@ -23,7 +23,7 @@ RoundedMesh round_until_legal(std::shared_ptr<const SolidData> data, const Round
   const RoundingGrid grid(options);
   RoundingSteps steps(options);
   if (!options.separate_touching)
-    if (auto plain = plain_rounding(*data, grid, steps)) {
+    if (auto plain = plain_rounding(*data, grid, options, steps)) {
       bound_displacement(plain->report, options);
       steps.finish();
       return std::move(*plain);

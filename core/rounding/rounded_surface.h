@@ -18,6 +18,7 @@ namespace sectile {
 struct RoundedSurface {
   using Corners = std::array<std::uint32_t, 3>;
 
+  RoundedSurface() = default;
   /// May throw Cancelled.
   RoundedSurface(const SolidData& data, const RoundingGrid& grid, const SelfTestControl& control);
 
@@ -27,6 +28,8 @@ struct RoundedSurface {
   std::vector<Corners> corners;        ///< per triangle: vertices
   std::vector<FaceSource> source;      ///< per triangle
   std::vector<std::uint8_t> alive;     ///< per triangle
+  /// Per vertex: has neighbours that are not here, and stays as it is. Empty: none has.
+  std::vector<std::uint8_t> fixed;
   Geometry geometry;
   TriangleSurface surface;
 

@@ -5,6 +5,7 @@
 
 #include "geometry/axes.h"
 #include "import/soup.h"
+#include "rounding/enclosed_volume.h"
 #include "rounding/resolved.h"
 #include "rounding/separation.h"
 #include "search/box_tree.h"
@@ -88,7 +89,7 @@ void RoundingAttempt::make_mesh() {
 // What no two faces show: a shell that was turned inside out, or came to lie in another one. A
 // triangle of it, or none.
 std::uint32_t RoundingAttempt::wrong_shell() const {
-  if (is_one_shell() && encloses_volume()) return none;
+  if (is_one_shell() && clearly_encloses_volume(mesh_.positions, mesh_.indices)) return none;
   try {
     ImportOptions how;
     how.trusted = true;  // the faces were tested
@@ -116,30 +117,6 @@ bool RoundingAttempt::is_one_shell() const {
     }
   }
   return count == triangle_.size();
-}
-
-// Certainly: far more than the rounding errors of the sum.
-bool RoundingAttempt::encloses_volume() const {
-  const Vec3 o = rounded_.position(rounded_.corners[triangle_.front()][0]);
-  double sum = 0, size = 0, reach = 1;
-  for (const std::uint32_t t : triangle_) {
-    double p[3][3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3& v = rounded_.position(rounded_.corners[t][k]);
-      p[k][0] = v.x - o.x;
-      p[k][1] = v.y - o.y;
-      p[k][2] = v.z - o.z;
-      for (const double along : p[k]) reach = std::max(reach, std::abs(along));
-    }
-    for (int k = 0; k < 3; ++k) {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      const double left = p[0][k] * p[1][i] * p[2][j], right = p[0][k] * p[1][j] * p[2][i];
-      sum += left - right;
-      size += std::abs(left) + std::abs(right);
-    }
-  }
-  // Products that underflow are off by the least double times a third factor.
-  return sum > 0x1p-20 * size && size > 0x1p-900 * reach && triangle_.size() < 0x1p28;
 }
 
 double RoundingAttempt::move_of(std::uint32_t vertex, const Vec3& to) const {

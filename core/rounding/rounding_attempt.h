@@ -36,7 +36,6 @@ class RoundingAttempt {
   void make_mesh();
   std::uint32_t wrong_shell() const;
   bool is_one_shell() const;
-  bool encloses_volume() const;
   void note_report(RoundingReport& report) const;
   double move_of(std::uint32_t vertex, const Vec3& to) const;
   std::vector<std::uint8_t> vertices_near_stuck(double distance) const;

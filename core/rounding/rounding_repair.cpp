@@ -43,8 +43,7 @@ double thickness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 }  // namespace
 
-std::vector<std::uint32_t> faulty_triangles(RoundedSurface& rounded, const Kernel& kernel,
-                                            const SelfTestControl& control) {
+void ignore_flat(RoundedSurface& rounded, const Kernel& kernel) {
   TriangleSurface& surface = rounded.surface;
   surface.ignored.resize(surface.size());
   parallel::loop(tbb::blocked_range<std::size_t>(0, surface.size(), 4096), [&](const auto& range) {
@@ -56,6 +55,12 @@ std::vector<std::uint32_t> faulty_triangles(RoundedSurface& rounded, const Kerne
       surface.ignored[t] = rounded.alive[t] == 0 || flat;
     }
   });
+}
+
+std::vector<std::uint32_t> faulty_triangles(RoundedSurface& rounded, const Kernel& kernel,
+                                            const SelfTestControl& control) {
+  ignore_flat(rounded, kernel);
+  const TriangleSurface& surface = rounded.surface;
   std::vector<std::uint32_t> faulty;
   for (std::uint32_t t = 0; t < surface.size(); ++t)
     if (surface.ignored[t] != 0 && rounded.alive[t] != 0) faulty.push_back(t);
@@ -108,7 +113,7 @@ void RoundingRepair::unite_places(const std::vector<std::uint32_t>& faulty) {
   for (std::size_t i = 0, first = 0; i < vertices.size(); ++i) {
     if (!(rounded_.position(vertices[i]) == rounded_.position(vertices[first]))) first = i;
     if (i == first) continue;
-    changes_.merge(vertices[i], vertices[first]);
+    if (!changes_.merge(vertices[i], vertices[first])) continue;
     changes_.keep();
     gone_to_[vertices[i]] = vertices[first];
     ++merged_;
@@ -159,7 +164,7 @@ bool RoundingRepair::try_flips(std::uint32_t s, double reach) {
   if (rounded_.alive[s] == 0) return false;
   for (std::size_t j = 0; j < 3; ++j) {
     const std::uint32_t t = rounded_.surface.mate[s][j];
-    if (rounded_.alive[t] == 0) continue;
+    if ((t & TriangleSurface::partial) != 0 || rounded_.alive[t] == 0) continue;
     const auto& corners = rounded_.corners[s];
     const Vec3 &a = rounded_.position(corners[j]), &b = rounded_.position(corners[(j + 1) % 3]),
                &c = rounded_.position(corners[(j + 2) % 3]);

@@ -11,12 +11,16 @@
 
 namespace sectile {
 
-/// Triangles of which something is wrong, ascending.
+/// Finds the triangles that are not to be tested: those without area, and those that are not there.
+void ignore_flat(RoundedSurface& rounded, const Kernel& kernel);
+
+/// Triangles of which something is wrong, ascending. Ignores those without area, too.
 std::vector<std::uint32_t> faulty_triangles(RoundedSurface& rounded, const Kernel& kernel,
                                             const SelfTestControl& control);
 
 class RoundingRepair {
  public:
+  /// Triangles without area are ignored already.
   RoundingRepair(RoundedSurface& rounded, Kernel& kernel, const RoundingGrid& grid,
                  const Rounding& options)
       : rounded_(rounded), changes_(rounded, kernel), grid_(grid), options_(options) {

@@ -5,6 +5,7 @@
 #include "growth/steps.h"
 #include "sectile/boolean.h"
 #include "sectile/primitives.h"
+#include "sectile/rounding.h"
 #include "sectile/solid.h"
 #include "sectile/transform.h"
 #include "sectile/validate.h"
@@ -209,6 +210,27 @@ TEST(Growth, UnionOfTwoSpheres) {
                 },
                 4000),
             n_log_n);
+}
+
+// Edges beside the seam are flipped; what is far from it is not looked at for that.
+TEST(Growth, WritingASphereWithADent) {
+  const auto dented = [](std::size_t n) {
+    const Solid tool = Solid::from_mesh(
+        transformed(sphere_of(500).to_mesh(), Transform::translation({1.21, 0.13, 0.05})));
+    return boolean(sphere_of(n), tool, Operation::subtract);
+  };
+  const Solid few = dented(5000), many = dented(80000);
+  ASSERT_GT(rounded_mesh(many).report.flipped, 0u);
+  const auto more = static_cast<double>(many.counts().faces - few.counts().faces);
+  const auto per_face = [&](const Rounding& how) {
+    const auto of = [&](const Solid& solid) {
+      return static_cast<double>(steps_of([&] { rounded_mesh(solid, how); }));
+    };
+    return (of(many) - of(few)) / more;
+  };
+  Rounding whole;
+  whole.separate_touching = true;  // everything is looked at for that
+  EXPECT_LT(per_face({}), per_face(whole) / 4);
 }
 
 TEST(Growth, OfAConeOnItsBase) {

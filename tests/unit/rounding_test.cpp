@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 #include "sectile/rounding.h"
@@ -234,8 +235,18 @@ std::vector<std::array<double, 9>> triangles_of(const PolygonMesh& mesh) {
   return triangles;
 }
 
-// In solids of many blocks only the surroundings of what moved are looked at. To separate what
-// touches, which is nothing here, the whole is.
+// How many triangles one mesh has that the other one lacks.
+std::size_t difference(const PolygonMesh& a, const PolygonMesh& b) {
+  const auto of_a = triangles_of(a), of_b = triangles_of(b);
+  std::vector<std::array<double, 9>> only_a;
+  std::set_difference(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                      std::back_inserter(only_a));
+  return only_a.size();
+}
+
+// In solids of many blocks only the surroundings of what moved are looked at, and changed. To
+// separate what touches, which is nothing here, the whole is. Which of several diagonals helps may
+// be found in another order.
 TEST(Rounding, BlockByBlockIsTheSameAsTheWhole) {
   const Solid ball = sphere(1, 64, 32),
               other = transformed(ball, Transform::translation({0.7, 0.31, 0.13}));
@@ -245,7 +256,7 @@ TEST(Rounding, BlockByBlockIsTheSameAsTheWhole) {
   for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract}) {
     const Solid result = boolean(ball, exact, operation);
     const RoundedMesh plain = expect_legal(result, {}), all = rounded_mesh(result, whole);
-    EXPECT_TRUE(triangles_of(plain.mesh) == triangles_of(all.mesh));
+    EXPECT_LE(difference(plain.mesh, all.mesh), 2 * (plain.report.flipped + all.report.flipped));
     EXPECT_GT(plain.report.moved, 0u);
     EXPECT_EQ(plain.report.corners, all.report.corners);
     EXPECT_EQ(plain.report.moved, all.report.moved);
@@ -253,6 +264,55 @@ TEST(Rounding, BlockByBlockIsTheSameAsTheWhole) {
     EXPECT_EQ(plain.report.largest_move, all.report.largest_move);
     EXPECT_EQ(Solid::from_mesh(plain.mesh).counts().shells, result.counts().shells);
   }
+}
+
+// Triangles beside the seam cross once its corners are rounded: edges there are flipped.
+TEST(Rounding, SeamsOfBallsAreMendedBlockByBlock) {
+  const Solid ball = sphere(1, 64, 32);
+  std::size_t flipped = 0;
+  for (int i = 1; i <= 4; ++i) {
+    SCOPED_TRACE(i);
+    const Solid other = transformed(ball, Transform::translation({0.21 * i, 0.13 * i, 0.07 * i}));
+    for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract})
+      flipped += expect_legal(boolean(ball, other, operation), {}).report.flipped;
+  }
+  EXPECT_GT(flipped, 20u);
+}
+
+// Two caps, and what is left of a ball around a hollow.
+TEST(Rounding, ShellsOfOneSolid) {
+  const Solid ball = sphere(1, 64, 32), core = sphere(0.5, 64, 32),
+              slab = turned(block({-2, -2, -0.1}, {2, 2, 0.1}), 0.3);
+  const Solid caps = boolean(ball, slab, Operation::subtract);
+  const Solid hollow = boolean(boolean(ball, core, Operation::subtract),
+                               turned(block({0.8, -2, -2}, {2, 2, 2}), 0.3), Operation::subtract);
+  for (const Solid& solid : {caps, hollow}) {
+    ASSERT_EQ(solid.counts().shells, 2u);
+    const RoundedMesh rounded = expect_legal(solid, {});
+    EXPECT_EQ(Solid::from_mesh(rounded.mesh).counts().shells, 2u);
+  }
+}
+
+// The tip of the small one comes to lie below its base. Of the other one nothing moves.
+TEST(Rounding, ASmallShellThatTheGridTurnsInsideOut) {
+  Profile teeth;
+  for (int i = 0; i < 32; ++i) {
+    teeth.outer.push_back({2.0 * i, 1.0});
+    teeth.outer.push_back({2.0 * i + 1, 2.0});
+  }
+  teeth.outer.push_back({64, 0});
+  teeth.outer.push_back({0, 0});
+  std::reverse(teeth.outer.begin(), teeth.outer.end());
+  const Solid comb = extrude(teeth, 2);
+  PolygonMesh small;
+  small.positions = {{100, 0, 0.49}, {104, 0, 1.51}, {100, 4, 0.49}, {103, 0.25, 1.3}};
+  small.indices = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  small.face_sizes = {3, 3, 3, 3};
+  const Solid both = boolean(comb, Solid::from_mesh(small), Operation::unite);
+  ASSERT_EQ(both.counts().shells, 2u);
+  const RoundedMesh rounded = rounded_mesh(both, to(Numbers::grid, 1));
+  EXPECT_EQ(ExactMeshChecker(rounded.mesh).verdict(), "");
+  EXPECT_EQ(rounded.report.resolved, 1u);
 }
 
 // A corner that hardly lies behind a face comes to lie on it: the surroundings tell.

@@ -21,7 +21,6 @@ struct BlockTriangles {
   std::vector<std::uint32_t> indices;  ///< three vertices of the mesh for each triangle
   std::vector<FaceSource> source;      ///< per triangle
   std::vector<std::uint32_t> cut;      ///< triangles of faces with more corners, ascending
-  bool one_shell = false;
 
   std::uint32_t vertex(std::uint32_t slot, VertexId local) const {
     return number[first_vertex[slot] + local.value()];
@@ -36,5 +35,8 @@ struct BlockTriangles {
 
 /// Nothing if several vertices may be at one point, or the edges of a face touch each other.
 std::optional<BlockTriangles> block_triangles(const SolidData& data);
+
+/// Do all faces hang together?
+bool is_one_shell(const SolidData& data);
 
 }  // namespace sectile

@@ -1,4 +1,4 @@
-#include "rounding/block_triangles.h"
+#include "storage/block_triangles.h"
 
 #include <algorithm>
 
@@ -113,7 +113,6 @@ class Collector {
     if (data_.touches_itself() || !cut_polygons()) return {};
     count();
     unite_vertices();
-    result_.one_shell = is_one_shell();
     parallel::loop(0, slots_.size(), [&](std::size_t s) {
       if (!slots_[s].empty()) write(static_cast<std::uint32_t>(s));
     });
@@ -171,26 +170,6 @@ class Collector {
     }
   }
 
-  bool is_one_shell() const {
-    std::vector<std::uint32_t> first;
-    std::uint32_t pieces = 0;
-    for (const Slot& slot : slots_) {
-      first.push_back(pieces);
-      pieces += slot.pieces;
-    }
-    DisjointSets sets(pieces);
-    for (std::uint32_t s = 0; s < slots_.size(); ++s) {
-      const Slot& slot = slots_[s];
-      if (!slot.links) continue;
-      for (std::uint32_t p = 0; p < slot.pieces; ++p)
-        for (const BorderLinks::Neighbour& n : slot.links->neighbours(*slot.block, p))
-          sets.unite(first[s] + p, first[s + static_cast<std::uint32_t>(n.slots)] + n.piece);
-    }
-    for (std::uint32_t p = 1; p < pieces; ++p)
-      if (sets.first(p) != 0) return false;
-    return pieces > 0;
-  }
-
   template <class Visit>
   void for_each_border(std::uint32_t s, const Visit& visit) const {
     if (slots_[s].empty()) return;
@@ -237,6 +216,26 @@ class Collector {
 
 std::optional<BlockTriangles> block_triangles(const SolidData& data) {
   return Collector(data).run();
+}
+
+bool is_one_shell(const SolidData& data) {
+  const std::span<const Slot> slots = data.slots();
+  std::vector<std::uint32_t> first;
+  std::uint32_t pieces = 0;
+  for (const Slot& slot : slots) {
+    first.push_back(pieces);
+    pieces += slot.pieces;
+  }
+  DisjointSets sets(pieces);
+  for (std::uint32_t s = 0; s < slots.size(); ++s) {
+    if (!slots[s].links) continue;
+    for (std::uint32_t p = 0; p < slots[s].pieces; ++p)
+      for (const BorderLinks::Neighbour& n : slots[s].links->neighbours(*slots[s].block, p))
+        sets.unite(first[s] + p, first[s + static_cast<std::uint32_t>(n.slots)] + n.piece);
+  }
+  for (std::uint32_t p = 1; p < pieces; ++p)
+    if (sets.first(p) != 0) return false;
+  return pieces > 0;
 }
 
 }  // namespace sectile

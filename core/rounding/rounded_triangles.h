@@ -1,0 +1,92 @@
+// A solid's triangles with rounded corners, block by block, of which parts are looked at and
+// changed.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rounding/rounded_surface.h"
+#include "search/box_tree.h"
+#include "storage/block_triangles.h"
+
+namespace sectile {
+
+/// Some of the triangles as a surface of their own.
+struct MeshPart {
+  RoundedSurface rounded;
+  std::vector<RoundedSurface::Corners> corners;  ///< as they were at first
+  std::vector<std::uint32_t> triangle, vertex;   ///< their numbers in the mesh
+};
+
+class RoundedTriangles {
+ public:
+  using Corners = RoundedSurface::Corners;
+  using Triangles = std::vector<std::uint32_t>;
+  struct Moved {
+    std::uint32_t vertex;
+    Vec3 from;       ///< its place, rounded to doubles
+    bool was_exact;  ///< `from` is the place
+  };
+
+  RoundedTriangles(const SolidData& data, BlockTriangles triangles, const RoundingGrid& grid);
+
+  std::size_t size() const { return triangles_.source.size(); }
+  Corners corners(std::uint32_t t) const {
+    const std::size_t i = 3 * std::size_t(t);
+    return {triangles_.indices[i], triangles_.indices[i + 1], triangles_.indices[i + 2]};
+  }
+  const std::vector<Vec3>& positions() const { return positions_; }
+  const std::vector<std::uint32_t>& indices() const { return triangles_.indices; }
+  bool one_shell() const { return one_shell_; }
+  /// Vertices that are not at their places.
+  const std::vector<Moved>& moved() const { return moved_; }
+  /// Those of faces with more than three corners.
+  const Triangles& cut() const { return triangles_.cut; }
+
+  /// Those with a corner that is not at its place, or changed since.
+  Triangles unsettled() const;
+  /// All whose boxes meet one of theirs.
+  Triangles around(const Triangles& triangles) const;
+  /// All that are no more than `rings` vertices away from theirs.
+  Triangles neighbours(const Triangles& triangles, int rings) const;
+
+  /// Triangles in ascending order. Only what concerns those in `suspects`, also ascending, is to be
+  /// tested. Vertices with neighbours that are not in the part are fixed.
+  MeshPart part(Triangles triangles, const Triangles& suspects) const;
+  /// Takes over what was changed in a part, of which no triangle vanished; returns the triangles
+  /// that are not as they were.
+  Triangles take_back(const MeshPart& part);
+
+  /// Has each shell a triangle that stayed, and that nothing has moved past? Then what lies on both
+  /// its sides is what it was, as on all of a shell that no other crosses: no shell was turned
+  /// inside out, or came to lie in another one.
+  bool shells_stay() const;
+
+  /// The mesh, of which nothing is left then.
+  void move_into(RoundedMesh& result);
+
+ private:
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+  void round(const SolidData& data, const RoundingGrid& grid);
+  Vec3 place_of(std::uint32_t vertex) const {
+    return moved_at_[vertex] == none ? positions_[vertex] : moved_[moved_at_[vertex]].from;
+  }
+  void note_swept(const Bounds& bounds);
+  void add_vertex(MeshPart& part, std::uint32_t vertex) const;
+  Box box(std::uint32_t t) const;
+  template <class SlotWanted, class Wanted>
+  Triangles select(const SlotWanted& slot_wanted, const Wanted& wanted) const;
+  std::size_t slot_of(std::uint32_t t) const;
+
+  BlockTriangles triangles_;
+  bool one_shell_;
+  std::vector<Vec3> positions_;  // per vertex
+  std::vector<Moved> moved_;
+  std::vector<std::uint32_t> moved_at_;   // per vertex: index of the above, or none
+  std::vector<std::uint8_t> is_changed_;  // per triangle
+  std::vector<Box> swept_;                // of what triangles passed through
+  std::vector<Box> bounds_;               // per slot
+};
+
+}  // namespace sectile
