@@ -7,6 +7,7 @@
 #include "import/face_triangles.h"
 #include "parallel/parallel.h"
 #include "sectile/solid.h"
+#include "storage/block_triangles.h"
 #include "storage/faces_as_read.h"
 #include "storage/moved_solid.h"
 
@@ -135,6 +136,28 @@ class MeshMaker {
 
 }  // namespace
 
+namespace {
+
+PolygonMesh mesh_of(const SolidData& data, BlockTriangles triangles,
+                    std::vector<FaceSource>& sources) {
+  PolygonMesh mesh;
+  mesh.positions.resize(triangles.vertex_count);
+  mesh.face_sizes.assign(triangles.source.size(), 3);
+  parallel::loop(0, data.slots().size(), [&](std::size_t i) {
+    const auto s = static_cast<std::uint32_t>(i);
+    if (data.slot(s).empty()) return;
+    const Block& block = *data.slot(s).block;
+    for (const VertexId v : block.brep.vertices())
+      if (triangles.owns(s, v))
+        mesh.positions[triangles.vertex(s, v)] = block.geometry.position(block.brep.point_of(v));
+  });
+  mesh.indices = std::move(triangles.indices);
+  sources = std::move(triangles.source);
+  return mesh;
+}
+
+}  // namespace
+
 PolygonMesh Solid::to_mesh() const {
   std::vector<FaceSource> sources;
   return to_mesh(sources);
@@ -143,6 +166,9 @@ PolygonMesh Solid::to_mesh() const {
 PolygonMesh Solid::to_mesh(std::vector<FaceSource>& sources) const {
   sources.clear();
   if (is_empty()) return {};
+  if (const SolidData& moved = *data(); !moved.is_whole() && !data_->as_read)
+    if (auto triangles = block_triangles(moved))
+      return mesh_of(moved, std::move(*triangles), sources);
   return MeshMaker(*this, data_->as_read, sources).run();
 }
 

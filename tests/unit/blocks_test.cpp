@@ -67,6 +67,22 @@ TEST(Blocks, ALargeBoundaryIsCutAndJoinedAgain) {
   expect_legal(solid);
 }
 
+// Block by block, the mesh is that of the boundary: where it was moved to, and with the material on
+// its side.
+TEST(Blocks, GiveTheMeshOfMovedAndMirroredSolids) {
+  const Solid body = boolean(many_faces(), ball({0.9, 0, 0}, 0.4, 40, 21), Operation::subtract);
+  const Solid exact = Solid::from_mesh(rounded_mesh(body).mesh);
+  ASSERT_GT(blocks(exact).size(), 10u);
+  for (const Vec3& by : {Vec3{2, 2, 2}, Vec3{-1, 1, 4}, Vec3{-2, -1, -0.5}}) {
+    const Solid image = transformed(exact, Transform::scaling(by));
+    std::vector<FaceSource> sources;
+    const PolygonMesh mesh = image.to_mesh(sources);
+    EXPECT_EQ(Solid::from_mesh(mesh), image);
+    EXPECT_EQ(mesh.positions.size(), image.counts().vertices);
+    EXPECT_EQ(sources.size(), mesh.face_sizes.size());
+  }
+}
+
 TEST(Blocks, EdgesBetweenBlocksKnowEachOther) {
   const Solid solid = many_faces();
   const SolidData& data = *solid.data();
