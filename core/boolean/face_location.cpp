@@ -6,14 +6,22 @@
 namespace sectile {
 namespace {
 
-// A triangle's third corner tells the inner side of each edge.
+// Doubles tell the side of each edge, as a rule. Where they do not, the plane through the edge
+// does, with the triangle's third corner on its inner side.
 Entity locate_in_triangle(const Kernel& kernel, const Patch& patch, HalfEdgeId first,
                           const Probe& point) {
   const Brep& brep = patch.brep;
+  const PlaneId face = brep.plane_of(first);
+  const int axis = kernel.main_axis(face);
+  const Sign inner = kernel.normal(face, axis);
   Entity on;
   int touched = 0;
   HalfEdgeId h = first;
   for (int i = 0; i < 3; ++i, h = brep.next_of(h)) {
+    const Sign turn =
+        point.clear_turn(brep.point_of(brep.from(h)), brep.point_of(brep.to(h)), axis);
+    if (turn == inner) continue;
+    if (turn == -inner) return {};
     const PlaneId plane = patch.side(h);
     const Sign sign = point.side(plane);
     if (sign == Sign::zero) {

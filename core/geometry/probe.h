@@ -8,6 +8,11 @@
 
 namespace sectile {
 
+/// A place as far as doubles know it: each coordinate is off by its error at most.
+struct NearPlace {
+  Vec3 at, error;
+};
+
 class Probe {
  public:
   Probe(const Kernel& kernel, PointId point) : kernel_(kernel), point_(point) {}
@@ -25,10 +30,15 @@ class Probe {
   Sign side(PlaneId plane) const;
   /// The sign of q - (this point) on one axis.
   Sign compare(PointId q, int axis) const;
+  /// The sign of ((q - p) × (this point - p)) · e_axis; zero if doubles do not tell. Unlike side(),
+  /// it asks for no second plane, which may be nearly parallel to the one that the point is in.
+  Sign clear_turn(PointId p, PointId q, int axis) const;
   /// Rounded to nearest.
   const Vec3& position() const;
 
  private:
+  const NearPlace& near() const;
+  NearPlace near_crossing() const;
   const BoundedPoint& bounded() const;
   const ExactPoint& exact() const;
 
@@ -37,6 +47,7 @@ class Probe {
   Construction how_;
   Estimate at_from_{}, at_to_{};
   Sign to_side_ = Sign::zero;
+  mutable std::optional<NearPlace> near_;
   mutable std::optional<BoundedPoint> bounded_;
   mutable std::optional<ExactPoint> exact_;
   mutable std::optional<Vec3> position_;

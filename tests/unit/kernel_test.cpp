@@ -139,20 +139,72 @@ TEST(Kernel, TurnSeenAlongAnAxis) {
   });
 }
 
-TEST(Probe, CrossingsOfLinesWithPlanes) {
-  in_many_scenes([](Scene& s) {
-    const std::size_t u = s.any_point(), v = s.any_point(), f = s.any_plane(), g = s.any_plane();
+struct Crossing {
+  PointId u, v;  // on different sides of the plane
+  Probe probe;
+  Vector at;
+};
+
+// Of random lines with planes.
+template <class Check>
+void with_crossings(const Check& check) {
+  in_many_scenes([&](Scene& s) {
+    const std::size_t u = s.any_point(), v = s.any_point(), f = s.any_plane();
     if (u >= Scene::given_points || v >= Scene::given_points) return;
-    const auto value = [&](std::size_t plane, std::size_t p) -> Rational {
-      return dot(s.planes[plane].n, s.points[p]) + s.planes[plane].d;
+    const auto value = [&](std::size_t p) -> Rational {
+      return dot(s.planes[f].n, s.points[p]) + s.planes[f].d;
     };
-    const Rational at_u = value(f, u), at_v = value(f, v);
+    const Rational at_u = value(u), at_v = value(v);
     if (!(at_u * at_v < 0)) return;
-    const Probe probe(*s.kernel, PointId(u), PointId(v),
-                      Construction{PlaneId(), PlaneId(), PlaneId(f), PointId(u), PointId(v)});
-    ASSERT_EQ(probe.side(PlaneId(g)),
-              rational_sign((value(g, u) * at_v - value(g, v) * at_u) / (at_v - at_u)));
+    Vector at;
+    for (std::size_t k = 0; k < 3; ++k)
+      at[k] = (s.points[u][k] * at_v - s.points[v][k] * at_u) / (at_v - at_u);
+    const Construction how{PlaneId(), PlaneId(), PlaneId(f), PointId(u), PointId(v)};
+    check(s, Crossing{how.line_from, how.line_to, Probe(*s.kernel, how.line_from, how.line_to, how),
+                      at});
   });
+}
+
+TEST(Probe, SidesOfCrossings) {
+  with_crossings([](Scene& s, const Crossing& c) {
+    const std::size_t g = s.any_plane();
+    ASSERT_EQ(c.probe.side(PlaneId(g)), rational_sign(dot(s.planes[g].n, c.at) + s.planes[g].d));
+  });
+}
+
+TEST(Probe, OrderOfCrossingsAndPoints) {
+  with_crossings([](Scene& s, const Crossing& c) {
+    const std::size_t q = s.any_point();
+    for (std::size_t k = 0; k < 3; ++k)
+      ASSERT_EQ(c.probe.compare(PointId(q), static_cast<int>(k)),
+                rational_sign(s.points[q][k] - c.at[k]));
+  });
+}
+
+// Doubles tell the truth, or nothing.
+TEST(Probe, ClearTurns) {
+  int clear = 0, all = 0;
+  const auto expect_true = [&](Scene& s, const Probe& probe, const Vector& at) {
+    const std::size_t p = s.any_point(), q = s.any_point();
+    const Vector n = cross(minus(s.points[q], s.points[p]), minus(at, s.points[p]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      ++all;
+      const Sign turn = probe.clear_turn(PointId(p), PointId(q), static_cast<int>(k));
+      if (turn == Sign::zero) continue;
+      ++clear;
+      ASSERT_EQ(turn, rational_sign(n[k]));
+    }
+  };
+  with_crossings([&](Scene& s, const Crossing& c) {
+    expect_true(s, c.probe, c.at);
+    // The line that crosses: there is no turn.
+    for (int k = 0; k < 3; ++k) ASSERT_EQ(c.probe.clear_turn(c.u, c.v, k), Sign::zero);
+  });
+  in_many_scenes([&](Scene& s) {
+    const std::size_t r = s.any_point();
+    expect_true(s, Probe(*s.kernel, PointId(r)), s.points[r]);
+  });
+  EXPECT_GT(clear, all / 4);
 }
 
 }  // namespace

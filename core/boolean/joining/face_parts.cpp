@@ -91,18 +91,26 @@ class PartSettler {
 
   // The innermost of the outer loops that surround an inner one.
   LoopId around(LoopId inner) {
-    build_trees();
-    const HalfEdgeId any = brep_.loop_half_edge[inner];
-    const Vec3& at = w_.geometry.position(brep_.point_of(brep_.from(any)));
+    find_near(inner);
+    if (near_.size() == 1 && !patch_.unbounded) return outer_[near_[0]];  // some loop does
     std::uint32_t innermost = none;
-    loop_tree_.query([&](const Box& b) { return b.contains(at); },
-                     [&](std::uint32_t i) {
-                       if (surrounds(i, inner) && (innermost == none || is_within(i, innermost)))
-                         innermost = i;
-                     });
+    for (const std::uint32_t i : near_) {
+      build_edge_trees();
+      if (surrounds(i, inner) && (innermost == none || is_within(i, innermost))) innermost = i;
+    }
     if (innermost != none) return outer_[innermost];
     if (!patch_.unbounded) throw InternalError("an inner loop lies in no part of its face");
     return {};
+  }
+
+  // The outer loops whose boxes contain a corner of an inner one.
+  void find_near(LoopId inner) {
+    build_loop_tree();
+    const HalfEdgeId any = brep_.loop_half_edge[inner];
+    const Vec3& at = w_.geometry.position(brep_.point_of(brep_.from(any)));
+    near_.clear();
+    loop_tree_.query([&](const Box& b) { return b.contains(at); },
+                     [&](std::uint32_t i) { near_.push_back(i); });
   }
 
   // Loops do not cross, so one point of a loop tells for all, or, if all are on the outer loop, one
@@ -186,30 +194,39 @@ class PartSettler {
     return edge.box();
   }
 
-  void build_trees() {
-    if (tree_root_ == root_) return;
-    tree_root_ = root_;
+  void build_loop_tree() {
+    if (loops_root_ == root_) return;
+    loops_root_ = root_;
+    std::vector<Box> boxes;
+    for (const LoopId l : outer_) {
+      Bounds bounds;
+      for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
+        bounds.add(w_.geometry.position(brep_.point_of(brep_.from(h))));
+      });
+      boxes.push_back(bounds.box());
+    }
+    loop_tree_ = BoxTree(boxes);
+  }
+
+  void build_edge_trees() {
+    if (edges_root_ == root_) return;
+    edges_root_ = root_;
     outer_edges_.clear();
     outer_end_.clear();
     edge_trees_.clear();
     areas_.clear();
-    std::vector<Box> loop_boxes, edge_boxes;
+    std::vector<Box> boxes;
     for (const LoopId l : outer_) {
-      edge_boxes.clear();
-      Box all;
+      boxes.clear();
       for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
         if (!patch_.side(h).valid()) return;  // a null edge
         outer_edges_.push_back(h);
-        edge_boxes.push_back(edge_box(h));
-        all.add(edge_boxes.back());
+        boxes.push_back(edge_box(h));
       });
-      loop_boxes.push_back(all);
       areas_.push_back(area_of(l));
       outer_end_.push_back(static_cast<std::uint32_t>(outer_edges_.size()));
-      edge_trees_.push_back(edge_boxes.size() < many_edges ? nullptr
-                                                           : std::make_unique<BoxTree>(edge_boxes));
+      edge_trees_.push_back(boxes.size() < many_edges ? nullptr : std::make_unique<BoxTree>(boxes));
     }
-    loop_tree_ = BoxTree(loop_boxes);
   }
 
   static constexpr std::size_t many_edges = 24;
@@ -219,8 +236,10 @@ class PartSettler {
   const Kernel& kernel_;
   Patch& patch_;
   Brep& brep_;
-  FaceId root_, tree_root_, endless_;
+  FaceId root_, endless_;
+  FaceId loops_root_, edges_root_;  // of which what follows was made
   std::vector<LoopId> outer_, inner_;
+  std::vector<std::uint32_t> near_;  // outer loops
   std::vector<PointId> points_;
   BoxTree loop_tree_;  // over the outer loops
   std::vector<HalfEdgeId> outer_edges_;
