@@ -4,6 +4,15 @@
 #include "search/face_tree.h"
 
 namespace sectile {
+namespace {
+
+// Once two shells are near each other there is nothing more to be found out.
+struct UntilNear : BoxTree::NothingApart {
+  const bool& apart;
+  bool nodes(BoxTree::Node, BoxTree::Node) const { return !apart; }
+};
+
+}  // namespace
 
 // Whole nodes of one shell are passed over: what is looked into is where shells are near others.
 bool shells_are_apart(const Brep& brep, const Geometry& geometry, const Shells& shells) {
@@ -18,7 +27,7 @@ bool shells_are_apart(const Brep& brep, const Geometry& geometry, const Shells& 
   BoxTree::overlaps(
       tree, tree, [&](std::uint32_t, std::uint32_t) { apart = false; },
       [](std::uint32_t shell, std::uint32_t other) { return shell == other; },
-      [&](BoxTree::Node, BoxTree::Node) { return !apart; });
+      UntilNear{{}, apart});
   return apart;
 }
 

@@ -42,6 +42,12 @@ struct Box {
     for (int k = 0; k < 3; ++k) all = all & (low[k] <= other.high[k]) & (other.low[k] <= high[k]);
     return all;
   }
+  /// In the sum of the three edges.
+  bool is_larger_than(const Box& other) const {
+    return (high[0] - low[0]) + (high[1] - low[1]) + (high[2] - low[2]) >
+           (other.high[0] - other.low[0]) + (other.high[1] - other.low[1]) +
+               (other.high[2] - other.low[2]);
+  }
   bool contains(const Vec3& p) const {
     return low[0] <= p.x && p.x <= high[0] && low[1] <= p.y && p.y <= high[1] && low[2] <= p.z &&
            p.z <= high[2];

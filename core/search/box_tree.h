@@ -40,14 +40,21 @@ class BoxTree {
   /// The same without the pairs of items whose groups satisfy skip(group of a, group of b).
   template <class Visit, class Skip>
   static void overlaps(const BoxTree& a, const BoxTree& b, Visit&& visit, const Skip& skip) {
-    overlaps(a, b, visit, skip, [](Node, Node) { return false; });
+    overlaps(a, b, visit, skip, NothingApart());
   }
 
   /// A leaf (on level 0) or what is above leaves.
   struct Node {
     std::uint32_t level, index;
   };
-  /// The same without the items under pairs of nodes that satisfy apart(node of a, node of b).
+  /// What more is known to be apart than boxes say: two nodes, an item of a and all in a smaller
+  /// box of b, and the other way around.
+  struct NothingApart {
+    bool nodes(Node, Node) const { return false; }
+    bool item_of_a(std::uint32_t, const Box&) const { return false; }
+    bool item_of_b(std::uint32_t, const Box&) const { return false; }
+  };
+  /// The same without what `apart` knows to be apart.
   template <class Visit, class Skip, class Apart>
   static void overlaps(const BoxTree& a, const BoxTree& b, Visit&& visit, const Skip& skip,
                        const Apart& apart) {
@@ -98,6 +105,11 @@ class BoxTree {
                         h = b.group_levels_[q.level][q.index];
     return g != no_group && h != no_group && skip(g, h);
   }
+  struct NearItems {
+    std::uint32_t item[leaf_size], count = 0;  // in the order of the curve
+  };
+  template <class IsApart>
+  NearItems near_items(Node leaf, const Box& box, const IsApart& is_apart) const;
   void build_groups(const std::vector<std::uint32_t>& group);
 
   template <class Meets, class Visit>
@@ -127,7 +139,7 @@ void BoxTree::self_overlaps(const SelfPart& part, Visit&& visit) const {
   if (p.level != q.level || p.index != q.index) {
     overlaps(
         *this, p, *this, q, visit, [](std::uint32_t, std::uint32_t) { return false; },
-        [](Node, Node) { return false; });
+        NothingApart());
     return;
   }
   if (p.level > 0) {
@@ -148,30 +160,49 @@ void BoxTree::self_overlaps(const SelfPart& part, Visit&& visit) const {
 template <class Visit, class Skip, class Apart>
 void BoxTree::overlaps(const BoxTree& a, Node p, const BoxTree& b, Node q, Visit& visit,
                        const Skip& skip, const Apart& apart) {
-  if (!a.box(p).overlaps(b.box(q)) || skips(a, p, b, q, skip) || apart(p, q)) return;
-  if (p.level == 0 && q.level == 0) {
-    const bool grouped = !a.item_groups_.empty() && !b.item_groups_.empty();
-    const auto [from_a, to_a] = a.range(p.index);
-    const auto [from_b, to_b] = b.range(q.index);
-    for (std::uint32_t i = from_a; i < to_a; ++i) {
-      if (!a.item_boxes_[i].overlaps(b.box(q))) continue;
-      for (std::uint32_t j = from_b; j < to_b; ++j) {
-        if (!a.item_boxes_[i].overlaps(b.item_boxes_[j])) continue;
-        if (grouped && a.item_groups_[i] != no_group && b.item_groups_[j] != no_group &&
-            skip(a.item_groups_[i], b.item_groups_[j]))
-          continue;
-        visit(a.items_[i], b.items_[j]);
-      }
+  if (!a.box(p).overlaps(b.box(q)) || skips(a, p, b, q, skip) || apart.nodes(p, q)) return;
+  if (p.level == 0 || q.level == 0) {
+    const auto of_a = [&](std::uint32_t item) { return apart.item_of_a(item, b.box(q)); };
+    const auto of_b = [&](std::uint32_t item) { return apart.item_of_b(item, a.box(p)); };
+    const NearItems near_a = p.level == 0 ? a.near_items(p, b.box(q), of_a) : NearItems{{}, 1};
+    if (near_a.count == 0) return;
+    const NearItems near_b = q.level == 0 ? b.near_items(q, a.box(p), of_b) : NearItems{{}, 1};
+    if (near_b.count == 0) return;
+    if (p.level == 0 && q.level == 0) {
+      const bool grouped = !a.item_groups_.empty() && !b.item_groups_.empty();
+      for (std::uint32_t k = 0; k < near_a.count; ++k)
+        for (std::uint32_t l = 0; l < near_b.count; ++l) {
+          const std::uint32_t i = near_a.item[k], j = near_b.item[l];
+          if (!a.item_boxes_[i].overlaps(b.item_boxes_[j])) continue;
+          if (grouped && a.item_groups_[i] != no_group && b.item_groups_[j] != no_group &&
+              skip(a.item_groups_[i], b.item_groups_[j]))
+            continue;
+          visit(a.items_[i], b.items_[j]);
+        }
+      return;
     }
-    return;
   }
-  if (p.level >= q.level) {
+  // The larger one first, so that large items meet nodes that are small beside them.
+  if (p.level > 0 && (q.level == 0 || !b.box(q).is_larger_than(a.box(p)))) {
     overlaps(a, child(p, 0), b, q, visit, skip, apart);
     if (a.has_second_child(p)) overlaps(a, child(p, 1), b, q, visit, skip, apart);
   } else {
     overlaps(a, p, b, child(q, 0), visit, skip, apart);
     if (b.has_second_child(q)) overlaps(a, p, b, child(q, 1), visit, skip, apart);
   }
+}
+
+// Of a leaf: those that may meet what is in a box, as far as boxes tell, and, if they are larger,
+// is_apart(item).
+template <class IsApart>
+BoxTree::NearItems BoxTree::near_items(Node leaf, const Box& box, const IsApart& is_apart) const {
+  NearItems near;
+  const auto [from, to] = range(leaf.index);
+  for (std::uint32_t i = from; i < to; ++i)
+    if (item_boxes_[i].overlaps(box) &&
+        !(item_boxes_[i].is_larger_than(box) && is_apart(items_[i])))
+      near.item[near.count++] = i;
+  return near;
 }
 
 }  // namespace sectile

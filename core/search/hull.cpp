@@ -1,9 +1,8 @@
 #include "search/hull.h"
 
-#include <vector>
-
 #include "numbers/rounding.h"
 #include "search/approximate.h"
+#include "search/face_corners.h"
 #include "search/oriented_box.h"
 
 namespace sectile {
@@ -95,20 +94,8 @@ bool apart(const Hull& a, const Hull& b) {
 }
 
 Hull face_hull(const Brep& brep, const Geometry& geometry, FaceId face) {
-  Vec3 few[4];
-  std::size_t count = 0;
-  const LoopId outer = brep.outer_loop[face];
-  for_each_in_loop(brep, outer, [&](HalfEdgeId h) {
-    if (count < 4) few[count] = geometry.position(brep.point_of(brep.from(h)));
-    ++count;
-  });
-  if (count <= 4) return Hull(std::span<const Vec3>(few, count));
-  std::vector<Vec3> points;
-  points.reserve(count);
-  for_each_in_loop(brep, outer, [&](HalfEdgeId h) {
-    points.push_back(geometry.position(brep.point_of(brep.from(h))));
-  });
-  return Hull(points);
+  return with_outer_corners(brep, geometry, face,
+                            [](std::span<const Vec3> corners) { return Hull(corners); });
 }
 
 }  // namespace sectile

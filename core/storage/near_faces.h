@@ -5,15 +5,40 @@
 #include <cstdint>
 #include <vector>
 
+#include "search/face_slab.h"
 #include "search/hull.h"
 #include "storage/block.h"
 
 namespace sectile {
 
+/// The slabs of the faces of one block.
+class SlabCache {
+ public:
+  void start(const Block& block) {
+    if (block_ == &block) return;
+    block_ = &block;
+    known_.assign(block.brep.face_count(), 0);
+    slab_.resize(known_.size());
+  }
+  const FaceSlab& operator[](std::uint32_t face) {
+    if (known_[face] == 0) {
+      known_[face] = 1;
+      slab_[face] = face_slab(block_->brep, block_->geometry, FaceId(face));
+    }
+    return slab_[face];
+  }
+
+ private:
+  const Block* block_ = nullptr;
+  std::vector<std::uint8_t> known_;
+  std::vector<FaceSlab> slab_;
+};
+
 /// Hulls of the faces of one block that were asked for last.
 class HullCache {
  public:
   void start(const Block& block) {
+    if (block_ == &block) return;
     block_ = &block;
     face_.assign(size, none);
     hull_.resize(size);
@@ -42,12 +67,13 @@ class NearFaces {
   /// those whose hubs satisfy skip(hub of a, hub of b).
   template <class Visit, class Skip>
   void operator()(const Block& a, const Block& b, const Visit& visit, const Skip& skip) {
+    slabs_[0].start(a);
+    slabs_[1].start(b);
     if (a.brep.face_count() * b.brep.face_count() <= few_pairs) {
-      BoxTree::overlaps(a.tree(), b.tree(), visit, skip);
+      BoxTree::overlaps(a.tree(), b.tree(), visit, skip, FacesApart{{}, slabs_});
       return;
     }
     if (apart(a.oriented_bounds(), b.oriented_bounds())) return;
-    const Nodes nodes(a, b);
     hulls_[0].start(a);
     hulls_[1].start(b);
     BoxTree::overlaps(
@@ -55,20 +81,28 @@ class NearFaces {
         [&](std::uint32_t f, std::uint32_t g) {
           if (!apart(hulls_[0][f], hulls_[1][g])) visit(f, g);
         },
-        skip, [&](BoxTree::Node p, BoxTree::Node q) { return nodes.are_apart(p, q); });
+        skip, Apart(a, b, slabs_));
   }
 
  private:
-  // Oriented boxes, if one of the blocks has them.
-  class Nodes {
+  // By the planes of single faces.
+  struct FacesApart : BoxTree::NothingApart {
+    SlabCache (&slabs)[2];
+    bool item_of_a(std::uint32_t face, const Box& box) const { return apart(slabs[0][face], box); }
+    bool item_of_b(std::uint32_t face, const Box& box) const { return apart(slabs[1][face], box); }
+  };
+
+  // By oriented boxes, too, if one of the blocks has them.
+  class Apart : public FacesApart {
    public:
-    Nodes(const Block& a, const Block& b)
-        : a_(a.tree()),
+    Apart(const Block& a, const Block& b, SlabCache (&caches)[2])
+        : FacesApart{{}, caches},
+          a_(a.tree()),
           b_(b.tree()),
           oriented_a_(a_.oriented(a.brep, a.geometry)),
           oriented_b_(b_.oriented(b.brep, b.geometry)) {}
 
-    bool are_apart(BoxTree::Node p, BoxTree::Node q) const {
+    bool nodes(BoxTree::Node p, BoxTree::Node q) const {
       if (oriented_a_ && oriented_b_) return apart((*oriented_a_)[p], (*oriented_b_)[q]);
       if (oriented_a_) return apart((*oriented_a_)[p], OrientedBox(b_.box(q)));
       if (oriented_b_) return apart(OrientedBox(a_.box(p)), (*oriented_b_)[q]);
@@ -83,6 +117,7 @@ class NearFaces {
   // So few are tested exactly in no more time.
   static constexpr std::size_t few_pairs = 1024;
 
+  SlabCache slabs_[2];
   HullCache hulls_[2];
 };
 

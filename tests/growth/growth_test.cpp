@@ -212,6 +212,18 @@ TEST(Growth, UnionOfTwoSpheres) {
             n_log_n);
 }
 
+// The boxes of the block's faces hold all of the sphere, but their planes only cut a circle of it.
+TEST(Growth, CuttingASphereByALargeTurnedBlock) {
+  const auto work = [](std::size_t n) {
+    const Solid ball = Solid::from_mesh(sphere_of(n).to_mesh());
+    const Solid tool =
+        transformed(block({0.1, -2, -2}, {4, 2, 2}), Transform::rotation_degrees({1, 2, 3}, 40));
+    boolean(ball, tool, Operation::subtract);  // finds what blocks keep
+    return [=] { boolean(ball, tool, Operation::subtract); };
+  };
+  EXPECT_LT(growth(work, 20000), 0.75);
+}
+
 // Edges beside the seam are flipped; what is far from it is not looked at for that.
 TEST(Growth, WritingASphereWithADent) {
   const auto dented = [](std::size_t n) {

@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "search/face_slab.h"
 #include "search/oriented_box.h"
 
 namespace sectile {
@@ -62,10 +63,43 @@ TEST(Apart, FacesWithACommonPointAreNot) {
       EXPECT_FALSE(apart(OrientedBox(a), OrientedBox(b)));
       Bounds bounds;
       for (const Vec3& p : a) bounds.add(p);
+      EXPECT_FALSE(apart(FaceSlab(b), bounds.box()));
       if (std::isfinite(bounds.box().high[0])) {
         EXPECT_FALSE(apart(OrientedBox(bounds.box()), OrientedBox(b)));
       }
     }
+}
+
+TEST(Apart, ABoxThatTouchesAPolygonIsNot) {
+  Random random(3);
+  for (const double unit : {1.0, 0x1p-120, 0x1p100, 0x1p-1060, 0x1p900})
+    for (int i = 0; i < 3000; ++i) {
+      const Vec3 l = random.lattice_point(1 << 20);
+      const Vec3 common{l.x * unit, l.y * unit, l.z * unit};
+      const Points polygon = triangle(random, common, unit, i % 10);
+      // The point is a corner of the box.
+      Bounds bounds;
+      bounds.add(common);
+      const auto step = [&] { return (i % 2 == 0 ? 1 : 0x1p-30) * random.upto(1000) * unit; };
+      bounds.add({common.x + step(), common.y + step(), common.z + step()});
+      EXPECT_FALSE(apart(FaceSlab(polygon), bounds.box()));
+    }
+}
+
+TEST(Apart, ABoxThatAPolygonPassesIs) {
+  Bounds bounds;
+  bounds.add({0, 0, 0});
+  bounds.add({1, 1, 1});
+  // All of it around the box, slanted.
+  const Points triangle{{-3, 0, 0.01}, {3, -3, 0.01}, {3, 6, 3.01}};
+  EXPECT_FALSE(apart(FaceSlab(triangle), bounds.box()));
+  EXPECT_TRUE(apart(FaceSlab(moved(triangle, {0, 0, 2})), bounds.box()));
+  EXPECT_TRUE(apart(FaceSlab(moved(triangle, {0, 0, -3})), bounds.box()));
+  Points hexagon;
+  for (int i = 0; i < 6; ++i)
+    hexagon.push_back({3 * std::cos(i * 1.0472), 3 * std::sin(i * 1.0472), 1.000001});
+  EXPECT_TRUE(apart(FaceSlab(hexagon), bounds.box()));
+  EXPECT_FALSE(apart(FaceSlab(moved(hexagon, {0, 0, -0.000001})), bounds.box()));
 }
 
 TEST(Apart, FacesWithACommonCornerAreNotWhenItIsRounded) {
@@ -112,6 +146,12 @@ TEST(Apart, NumbersNearTheEndOfDoublesAreNeverTakenForApart) {
   const Points b{{huge, huge, huge}, {-huge, huge, huge}, {0, -huge, -huge}};
   EXPECT_FALSE(apart(Hull(a), Hull(b)));
   EXPECT_FALSE(apart(OrientedBox(a), OrientedBox(b)));
+  Bounds bounds;
+  for (const Vec3& p : b) bounds.add(p);
+  EXPECT_FALSE(apart(FaceSlab(a), bounds.box()));
+  Bounds small;
+  small.add({0, 0, 0});
+  EXPECT_FALSE(apart(FaceSlab(a), small.box()));
 }
 
 }  // namespace
