@@ -1,7 +1,7 @@
 // Volume and area of the exact solid, right to two units in the last place.
 //
-// Sums in pairs of doubles with a bound of their error. What these leave open is left to numbers of
-// any length (measure_exactly.cpp).
+// Sums in pairs of doubles with a bound of their error, block by block: what blocks add is kept
+// with them. What these leave open is left to numbers of any length (measure_exactly.cpp).
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 
 #include "parallel/parallel.h"
 #include "storage/solid_data.h"
+#include "topology/fans.h"
 
 namespace sectile {
 
@@ -18,18 +19,6 @@ double area_of(const SolidData& solid);
 
 double exact_volume(const SolidData& solid);
 double exact_area(const SolidData& solid);
-
-/// Calls visit(a, b, c) for the triangles of a fan of each loop, around the loop's first corner.
-/// Those outside the face and those of holes count as negative.
-template <class Visit>
-void for_each_fan(const Brep& brep, FaceId f, const Visit& visit) {
-  const auto at = [&](HalfEdgeId h) { return brep.point_of(brep.from(h)); };
-  for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l]) {
-    const HalfEdgeId first = brep.loop_half_edge[l];
-    for (HalfEdgeId h = brep.next_of(first), next; (next = brep.next_of(h)) != first; h = next)
-      visit(at(first), at(h), at(next));
-  }
-}
 
 /// The sum of part(from, to) over ranges of faces. The ranges do not depend on the number of
 /// threads, nor does the order of the sum.

@@ -1,7 +1,7 @@
 #include "sectile/solid.h"
 
 #include "import/measure.h"
-#include "import/shells.h"
+#include "storage/element_counts.h"
 #include "storage/faces_as_read.h"
 #include "storage/moved_solid.h"
 #include "storage/solid_data.h"
@@ -45,12 +45,12 @@ double Solid::area() const {
 SolidCounts Solid::counts() const {
   SolidCounts counts;
   if (is_empty()) return counts;
-  const Brep& brep = data_->brep();
-  counts.vertices = brep.vertex_count();
-  counts.edges = brep.edge_count();
-  counts.faces = brep.face_count();
-  counts.loops = brep.loop_count();
-  counts.shells = find_shells(brep).count;
+  const ElementCounts elements = element_counts(*data_);
+  counts.vertices = elements.vertices;
+  counts.edges = elements.edges;
+  counts.faces = elements.faces;
+  counts.loops = elements.loops;
+  counts.shells = shell_count(*data_);
   // Euler and Poincaré: V - E + F - (L - F) = 2 (S - G).
   const auto count = [](std::size_t n) { return static_cast<std::int64_t>(n); };
   const std::int64_t euler =

@@ -6,6 +6,7 @@
 
 #include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
+#include "storage/element_counts.h"
 
 namespace sectile {
 namespace {
@@ -48,7 +49,7 @@ bool any_slot(std::size_t) {
 RoundedTriangles::RoundedTriangles(const SolidData& data, BlockTriangles triangles,
                                    const RoundingGrid& grid)
     : triangles_(std::move(triangles)),
-      one_shell_(is_one_shell(data)),
+      one_shell_(shell_count(data) == 1),
       positions_(triangles_.vertex_count),
       moved_at_(triangles_.vertex_count, none),
       is_changed_(size(), 0),

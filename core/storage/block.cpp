@@ -49,4 +49,14 @@ const OrientedBox& Block::oriented_bounds() const {
   return *oriented_bounds_;
 }
 
+const BlockVolume& Block::volume() const {
+  once_alone(volume_once_, [this] { volume_ = volume_of_faces(brep, geometry); });
+  return volume_;
+}
+
+const Bounded& Block::two_areas() const {
+  once_alone(area_once_, [this] { two_areas_ = two_areas_of_faces(brep, geometry); });
+  return two_areas_;
+}
+
 }  // namespace sectile

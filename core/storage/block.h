@@ -15,6 +15,7 @@
 #include "parallel/once_alone.h"
 #include "search/face_tree.h"
 #include "search/oriented_box.h"
+#include "storage/block_measure.h"
 #include "topology/brep.h"
 
 namespace sectile {
@@ -51,15 +52,20 @@ class Block {
   const Pieces& pieces() const;
   /// Of all corners.
   const Box& bounds() const;
-  /// As they lie; not for a block without faces.
+  // Not for a block without faces.
+  /// As they lie.
   const OrientedBox& oriented_bounds() const;
+  const BlockVolume& volume() const;
+  const Bounded& two_areas() const;
 
  private:
-  mutable OnceFlag tree_once_, pieces_once_, bounds_once_, oriented_once_;
+  mutable OnceFlag tree_once_, pieces_once_, bounds_once_, oriented_once_, volume_once_, area_once_;
   mutable std::unique_ptr<FaceTree> tree_;
   mutable Pieces pieces_;
   mutable Box bounds_;
   mutable std::unique_ptr<OrientedBox> oriented_bounds_;
+  mutable BlockVolume volume_;
+  mutable Bounded two_areas_;
 };
 
 }  // namespace sectile

@@ -218,24 +218,4 @@ std::optional<BlockTriangles> block_triangles(const SolidData& data) {
   return Collector(data).run();
 }
 
-bool is_one_shell(const SolidData& data) {
-  const std::span<const Slot> slots = data.slots();
-  std::vector<std::uint32_t> first;
-  std::uint32_t pieces = 0;
-  for (const Slot& slot : slots) {
-    first.push_back(pieces);
-    pieces += slot.pieces;
-  }
-  DisjointSets sets(pieces);
-  for (std::uint32_t s = 0; s < slots.size(); ++s) {
-    if (!slots[s].links) continue;
-    for (std::uint32_t p = 0; p < slots[s].pieces; ++p)
-      for (const BorderLinks::Neighbour& n : slots[s].links->neighbours(*slots[s].block, p))
-        sets.unite(first[s] + p, first[s + static_cast<std::uint32_t>(n.slots)] + n.piece);
-  }
-  for (std::uint32_t p = 1; p < pieces; ++p)
-    if (sets.first(p) != 0) return false;
-  return pieces > 0;
-}
-
 }  // namespace sectile

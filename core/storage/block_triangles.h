@@ -36,7 +36,4 @@ struct BlockTriangles {
 /// Nothing if several vertices may be at one point, or the edges of a face touch each other.
 std::optional<BlockTriangles> block_triangles(const SolidData& data);
 
-/// Do all faces hang together?
-bool is_one_shell(const SolidData& data);
-
 }  // namespace sectile

@@ -224,6 +224,27 @@ TEST(Growth, CuttingASphereByALargeTurnedBlock) {
   EXPECT_LT(growth(work, 20000), 0.75);
 }
 
+// Blocks know their volumes, and what they have in common is on their borders.
+TEST(Growth, VolumeAndCountsOfAResultThatSharesMost) {
+  const Solid tool = transformed(block({0.9, -0.05, -0.05}, {1.2, 0.05, 0.05}),
+                                 Transform::rotation_degrees({1, 2, 3}, 40));
+  const auto cut = [&](std::size_t n) {
+    const Solid ball = Solid::from_mesh(sphere_of(n).to_mesh());
+    ball.volume();
+    ball.counts();
+    return boolean(ball, tool, Operation::subtract);
+  };
+  const Solid few = cut(20000), many = cut(80000);
+  const auto per_face = [&](const auto& work) {
+    const auto of = [&](const Solid& solid) {
+      return static_cast<double>(steps_of([&] { work(solid); }));
+    };
+    return (of(many) - of(few)) / 60000;
+  };
+  EXPECT_LT(per_face([](const Solid& solid) { solid.volume(); }), 3);
+  EXPECT_LT(per_face([](const Solid& solid) { solid.counts(); }), 30);
+}
+
 // Edges beside the seam are flipped; what is far from it is not looked at for that.
 TEST(Growth, WritingASphereWithADent) {
   const auto dented = [](std::size_t n) {
