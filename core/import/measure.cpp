@@ -3,8 +3,6 @@
 #include <cmath>
 #include <optional>
 
-#include "numbers/bounded.h"
-
 namespace sectile {
 namespace {
 
@@ -34,7 +32,7 @@ void for_each_block(const SolidData& solid, const Find& find, const Add& add) {
 
 }  // namespace
 
-double volume_of(const SolidData& solid) {
+Bounded six_volumes_of(const SolidData& solid) {
   Bounded six_volumes;
   std::optional<double> level;
   for_each_block(
@@ -46,16 +44,24 @@ double volume_of(const SolidData& solid) {
             own.below + own.shadow * (Bounded(3) * Bounded::difference(own.level, *level));
         six_volumes = six_volumes + (slot.turned ? -volume : volume);
       });
-  const auto known = certain(six_volumes, 6);
-  return known ? *known : exact_volume(solid);
+  return six_volumes;
 }
 
-double area_of(const SolidData& solid) {
+Bounded two_areas_of(const SolidData& solid) {
   Bounded two_areas;
   for_each_block(
       solid, [](const Block& block) { block.two_areas(); },
       [&](const Slot& slot) { two_areas = two_areas + slot.block->two_areas(); });
-  const auto known = certain(two_areas, 2);
+  return two_areas;
+}
+
+double volume_of(const SolidData& solid) {
+  const auto known = certain(six_volumes_of(solid), 6);
+  return known ? *known : exact_volume(solid);
+}
+
+double area_of(const SolidData& solid) {
+  const auto known = certain(two_areas_of(solid), 2);
   return known ? *known : exact_area(solid);
 }
 

@@ -7,11 +7,16 @@
 #include <algorithm>
 #include <vector>
 
+#include "numbers/bounded.h"
 #include "parallel/parallel.h"
 #include "storage/solid_data.h"
 #include "topology/fans.h"
 
 namespace sectile {
+
+/// Of a solid that is not empty, as far as pairs of doubles know them.
+Bounded six_volumes_of(const SolidData& solid);
+Bounded two_areas_of(const SolidData& solid);
 
 /// Of a solid that is not empty.
 double volume_of(const SolidData& solid);
