@@ -123,7 +123,7 @@ class CommonHubs {
   const Block& block(const Hub& h) const { return block(h.solid, h.slot); }
   const Hubs& hubs(Operand s, std::uint32_t slot) const { return block(s, slot).tree().hubs(); }
   PointId point(const Hub& h) const { return hubs(h.solid, h.slot).point(h.number); }
-  const Vec3& position(const Hub& h) const { return block(h).geometry.position(point(h)); }
+  const Vec3& position(const Hub& h) const { return block(h).geometry().position(point(h)); }
   std::uint32_t& place_of(const Hub& h) {
     return place_[h.solid][first_[h.solid][h.slot] + h.number];
   }
@@ -131,7 +131,7 @@ class CommonHubs {
     return place_[h.solid][first_[h.solid][h.slot] + h.number];
   }
   bool are_at_one_place(const Hub& g, const Hub& h) const {
-    return same_point(block(g).geometry, point(g), block(h).geometry, point(h));
+    return same_point(block(g).geometry(), point(g), block(h).geometry(), point(h));
   }
 
   template <class Visit>
@@ -143,7 +143,8 @@ class CommonHubs {
         const auto faces = hubs(h.solid, h.slot).faces(h.number);
         Fan& mine = fan[h.solid];
         for (const FaceId f : faces) mine.faces.push_back(data_[h.solid]->face(h.slot, f));
-        append(mine.directions, direction_boxes(block(h).brep, block(h).geometry, point(h), faces));
+        append(mine.directions,
+               direction_boxes(block(h).brep, block(h).geometry(), point(h), faces));
       }
       if (!fan[Operand::a].faces.empty() && !fan[Operand::b].faces.empty())
         visit(fan[Operand::a], fan[Operand::b], position(order_[from]));

@@ -51,7 +51,8 @@ class PartLoader {
 
   GeometryLoader& geometry(std::uint32_t slot) {
     if (!loaders_[slot])
-      loaders_[slot] = std::make_unique<GeometryLoader>(solid_.slot(slot).block->geometry, to_, 64);
+      loaders_[slot] =
+          std::make_unique<GeometryLoader>(solid_.slot(slot).block->geometry(), to_, 64);
     return *loaders_[slot];
   }
 

@@ -12,6 +12,7 @@ class GeometryMover {
  public:
   explicit GeometryMover(const Frame& frame);
 
+  const Frame& frame() const { return *frame_; }
   /// Must be called for every geometry before the first of them is moved.
   void prepare(const Geometry& geometry);
   /// Normals turn with their planes' points: if the map mirrors, they point to the other side. May

@@ -149,7 +149,7 @@ PolygonMesh mesh_of(const SolidData& data, BlockTriangles triangles,
     const Block& block = *data.slot(s).block;
     for (const VertexId v : block.brep.vertices())
       if (triangles.owns(s, v))
-        mesh.positions[triangles.vertex(s, v)] = block.geometry.position(block.brep.point_of(v));
+        mesh.positions[triangles.vertex(s, v)] = block.geometry().position(block.brep.point_of(v));
   });
   mesh.indices = std::move(triangles.indices);
   sources = std::move(triangles.source);

@@ -146,7 +146,7 @@ bool most_stay(const SolidData& data, const RoundingGrid& grid) {
   std::vector<std::size_t> moved(slots.size(), 0), all(slots.size(), 0);
   parallel::loop(0, slots.size(), [&](std::size_t s) {
     if (slots[s].empty()) return;
-    const Geometry& g = slots[s].block->geometry;
+    const Geometry& g = slots[s].block->geometry();
     all[s] = g.positions.size();
     for (std::size_t i = 0; i < all[s]; ++i) {
       const PointId p(i);

@@ -64,7 +64,7 @@ void RoundedTriangles::round(const SolidData& data, const RoundingGrid& grid) {
     const auto s = static_cast<std::uint32_t>(i);
     if (slots[s].empty()) return;
     const Brep& brep = slots[s].block->brep;
-    const Geometry& g = slots[s].block->geometry;
+    const Geometry& g = slots[s].block->geometry();
     Bounds bounds;
     for (const VertexId v : brep.vertices()) {
       const PointId p = brep.point_of(v);

@@ -1,5 +1,7 @@
 #include "storage/block.h"
 
+#include <cmath>
+
 #include "numbers/disjoint_sets.h"
 #include "parallel/once_alone.h"
 
@@ -16,12 +18,55 @@ Pieces find_pieces(const Block& block) {
   return {std::move(of_face), count};
 }
 
+// Around the images of all points in a box, and of those that are off by half an ulp of it. Sums of
+// four products are off by much less than the share that is added; where they are not finite, the
+// image may be anywhere.
+Box image_of(const Box& box, const Frame& frame) {
+  Bounds bounds;
+  double low[3], high[3];
+  for (int row = 0; row < 3; ++row) {
+    double middle = frame.entry(row, 3).near().high(), half = 0, size = std::abs(middle);
+    for (int k = 0; k < 3; ++k) {
+      const double from = static_cast<double>(box.low[k]), to = static_cast<double>(box.high[k]);
+      const double entry = frame.entry(row, k).near().high();
+      middle += entry * (0.5 * (from + to));
+      half += std::abs(entry) * (0.5 * (to - from));
+      size += std::abs(entry) * (std::abs(from) + std::abs(to));
+    }
+    const double reach = half + 0x1p-40 * size + 0x1p-1000;
+    low[row] = middle - reach;
+    high[row] = middle + reach;
+    if (!std::isfinite(low[row]) || !std::isfinite(high[row])) return Box::everything();
+  }
+  bounds.add({low[0], low[1], low[2]});
+  bounds.add({high[0], high[1], high[2]});
+  return bounds.box();
+}
+
 }  // namespace
+
+Block::Block(std::shared_ptr<const Block> original, std::shared_ptr<const GeometryMover> mover)
+    : shared_brep_(original->shared_brep_),
+      brep(*shared_brep_),
+      border_count(original->border_count),
+      is_image_(true),
+      original_(std::move(original)),
+      mover_(std::move(mover)) {
+  bounds_once_.run([this] { bounds_ = image_of(original_->bounds(), mover_->frame()); });
+}
+
+void Block::make_image() const {
+  image_once_.run([this] {
+    geometry_ = (*mover_)(original_->geometry());
+    original_.reset();
+    mover_.reset();
+  });
+}
 
 const FaceTree& Block::tree() const {
   // A block that has neighbours was cut from a larger structure, along a curve.
   once_alone(tree_once_,
-             [this] { tree_ = std::make_unique<FaceTree>(brep, geometry, border_count > 0); });
+             [this] { tree_ = std::make_unique<FaceTree>(brep, geometry(), border_count > 0); });
   return *tree_;
 }
 
@@ -33,7 +78,7 @@ const Pieces& Block::pieces() const {
 const Box& Block::bounds() const {
   once_alone(bounds_once_, [this] {
     Bounds bounds;
-    for (const PointId p : brep.point) bounds.add(geometry.position(p));
+    for (const PointId p : brep.point) bounds.add(geometry().position(p));
     bounds_ = bounds.box();
   });
   return bounds_;
@@ -43,19 +88,19 @@ const OrientedBox& Block::oriented_bounds() const {
   once_alone(oriented_once_, [this] {
     std::vector<Vec3> points;
     points.reserve(brep.vertex_count());
-    for (const PointId p : brep.point) points.push_back(geometry.position(p));
+    for (const PointId p : brep.point) points.push_back(geometry().position(p));
     oriented_bounds_ = std::make_unique<OrientedBox>(points);
   });
   return *oriented_bounds_;
 }
 
 const BlockVolume& Block::volume() const {
-  once_alone(volume_once_, [this] { volume_ = volume_of_faces(brep, geometry); });
+  once_alone(volume_once_, [this] { volume_ = volume_of_faces(brep, geometry()); });
   return volume_;
 }
 
 const Bounded& Block::two_areas() const {
-  once_alone(area_once_, [this] { two_areas_ = two_areas_of_faces(brep, geometry); });
+  once_alone(area_once_, [this] { two_areas_ = two_areas_of_faces(brep, geometry()); });
   return two_areas_;
 }
 

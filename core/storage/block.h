@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geometry/geometry.h"
+#include "geometry/moved_geometry.h"
 #include "parallel/once_alone.h"
 #include "search/face_tree.h"
 #include "search/oriented_box.h"
@@ -31,18 +32,21 @@ class Block {
 
  public:
   Block() : shared_brep_(std::make_shared<Brep>()), brep(*shared_brep_) {}
-  /// The faces of another block, with other points and planes of the same numbers.
-  Block(const Block& other, Geometry moved)
-      : shared_brep_(other.shared_brep_),
-        brep(*shared_brep_),
-        geometry(std::move(moved)),
-        border_count(other.border_count) {}
+  /// The image of a block: its faces, with other points and planes of the same numbers, which are
+  /// made when they are first asked for.
+  Block(std::shared_ptr<const Block> original, std::shared_ptr<const GeometryMover> mover);
   Block(const Block&) = delete;
   Block& operator=(const Block&) = delete;
 
-  Brep& brep;  ///< moved blocks share it with those from which they come
-  Geometry geometry;
+  Brep& brep;  ///< images share it with those from which they come
   std::uint32_t border_count = 0;
+
+  /// Of a block that is being made.
+  Geometry& geometry() { return geometry_; }
+  const Geometry& geometry() const {
+    if (is_image_) make_image();
+    return geometry_;
+  }
 
   bool is_border(EdgeId e) const { return e.value() < border_count; }
   bool is_border(HalfEdgeId h) const { return h.value() < 2 * border_count; }
@@ -50,7 +54,7 @@ class Block {
   // Found when first asked for, and then kept.
   const FaceTree& tree() const;
   const Pieces& pieces() const;
-  /// Of all corners.
+  /// Of all corners; around an image more loosely.
   const Box& bounds() const;
   // Not for a block without faces.
   /// As they lie.
@@ -59,7 +63,15 @@ class Block {
   const Bounded& two_areas() const;
 
  private:
-  mutable OnceFlag tree_once_, pieces_once_, bounds_once_, oriented_once_, volume_once_, area_once_;
+  void make_image() const;
+
+  mutable Geometry geometry_;
+  bool is_image_ = false;
+  // Of an image, until its points are made.
+  mutable std::shared_ptr<const Block> original_;
+  mutable std::shared_ptr<const GeometryMover> mover_;
+  mutable OnceFlag image_once_, tree_once_, pieces_once_, bounds_once_, oriented_once_,
+      volume_once_, area_once_;
   mutable std::unique_ptr<FaceTree> tree_;
   mutable Pieces pieces_;
   mutable Box bounds_;

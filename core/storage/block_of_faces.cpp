@@ -7,7 +7,7 @@ namespace sectile {
 void BlockOfFaces::fill() {
   const std::vector<VertexId> vertices = number_vertices();
   reserve(vertices.size());
-  GeometryLoader geometry(geometry_, block_->geometry, faces_.size());
+  GeometryLoader geometry(geometry_, block_->geometry(), faces_.size());
   add_faces(geometry);
   add_vertices(vertices, geometry);
   add_edge_planes(geometry);
@@ -37,9 +37,9 @@ std::vector<VertexId> BlockOfFaces::number_vertices() {
 void BlockOfFaces::reserve(std::size_t vertices) {
   block_->brep.reserve_faces(faces_.size());
   block_->brep.point.reserve(vertices);
-  block_->geometry.positions.reserve(vertices);
-  block_->geometry.construct.reserve(vertices);
-  block_->geometry.planes.reserve(faces_.size());
+  block_->geometry().positions.reserve(vertices);
+  block_->geometry().construct.reserve(vertices);
+  block_->geometry().planes.reserve(faces_.size());
 }
 
 void BlockOfFaces::add_faces(GeometryLoader& geometry) {

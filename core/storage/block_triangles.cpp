@@ -44,7 +44,7 @@ class FaceCutter {
   };
 
   bool cut(FaceId f) {
-    if (!kernel_) kernel_.emplace(slot_.block->geometry);
+    if (!kernel_) kernel_.emplace(slot_.block->geometry());
     points_.clear();
     vertices_.clear();
     ends_.clear();

@@ -27,7 +27,7 @@ class Writer {
 
   void write(const Block& block) {
     out_ << first_line << '\n';
-    const Geometry& g = block.geometry;
+    const Geometry& g = block.geometry();
     section("frames", g.frames, [&](const auto& frame) {
       for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 4; ++column) number(frame->exact(row, column));

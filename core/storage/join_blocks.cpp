@@ -46,7 +46,7 @@ class Joiner {
   void add_block(std::uint32_t s) {
     const Slot& slot = solid_.slot(s);
     const Brep& from = slot.block->brep;
-    const GeometryOffset offset = append_geometry(slot.block->geometry, geometry_, slot.turned);
+    const GeometryOffset offset = append_geometry(slot.block->geometry(), geometry_, slot.turned);
     for (const FaceId f : from.faces()) {
       const FaceId mine =
           brep_.add_face(offset.plane(from.plane[f]), from.source[f], LoopId(brep_.loop_count()));

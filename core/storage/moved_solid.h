@@ -1,5 +1,6 @@
 // The exact image of a solid. A move costs next to nothing; the points of the image are made when
-// they are first asked for. The faces are those of the original, and shared with it.
+// they are first asked for, block by block. The faces are those of the original, and shared with
+// it.
 #pragma once
 
 #include <memory>

@@ -56,7 +56,7 @@ class SolidData {
   SolidData(std::vector<Slot> slots, bool touches_itself);
 
   Brep& brep() { return making_->brep; }
-  Geometry& geometry() { return making_->geometry; }
+  Geometry& geometry() { return making_->geometry(); }
   /// Ends the filling: a large boundary is cut into blocks.
   void cut();
 
@@ -67,7 +67,7 @@ class SolidData {
   // The boundary as one structure. If it is in several blocks, they are joined when this is first
   // asked for: for work on all of the boundary.
   const Brep& brep() const { return whole().brep; }
-  const Geometry& geometry() const { return whole().geometry; }
+  const Geometry& geometry() const { return whole().geometry(); }
   const FaceTree& tree() const { return whole().tree(); }
   const Block& whole() const;
   const SolidData& in_one_block() const;

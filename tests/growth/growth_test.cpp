@@ -245,6 +245,19 @@ TEST(Growth, VolumeAndCountsOfAResultThatSharesMost) {
   EXPECT_LT(per_face([](const Solid& solid) { solid.counts(); }), 30);
 }
 
+// Of a moved solid, only the points of blocks near the other one are made.
+TEST(Growth, ASmallCutInALargeMovedSolid) {
+  const Solid tool = block({0.9, -0.05, -0.05}, {1.2, 0.05, 0.05});
+  const Transform turn = Transform::rotation_degrees({1, 2, 3}, 40);
+  const auto steps = [&](std::size_t n) {
+    const Solid ball = Solid::from_mesh(sphere_of(n).to_mesh());
+    boolean(ball, tool, Operation::subtract);  // finds what blocks keep
+    return static_cast<double>(
+        steps_of([&] { boolean(transformed(ball, turn), tool, Operation::subtract); }));
+  };
+  EXPECT_LT((steps(80000) - steps(20000)) / 60000, 10);
+}
+
 // Edges beside the seam are flipped; what is far from it is not looked at for that.
 TEST(Growth, WritingASphereWithADent) {
   const auto dented = [](std::size_t n) {

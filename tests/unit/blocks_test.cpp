@@ -97,7 +97,7 @@ TEST(Blocks, EdgesBetweenBlocksKnowEachOther) {
       EXPECT_EQ(back.local, h);
       const auto position = [&](std::uint32_t slot, VertexId v) {
         const Block& block = *data.slot(slot).block;
-        return block.geometry.position(block.brep.point_of(v));
+        return block.geometry().position(block.brep.point_of(v));
       };
       EXPECT_EQ(position(s, data.slot(s).from(h)),
                 position(there.slot, data.slot(there.slot).to(there.local)));

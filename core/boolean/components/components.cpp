@@ -258,7 +258,8 @@ class Labelling {
       f = FaceId(static_cast<std::size_t>(std::ranges::find(piece, member) - piece.begin()));
     }
     const HalfEdgeId h = brep.loop_half_edge[brep.outer_loop[f]];
-    const PointId p = load_point(slot(s).block->geometry, brep.point_of(brep.from(h)), w_.geometry);
+    const PointId p =
+        load_point(slot(s).block->geometry(), brep.point_of(brep.from(h)), w_.geometry);
     w_.kernel->refresh();
     set_rest(s, f, label_of(p));
   }

@@ -56,7 +56,7 @@ PointId FreePoints::corner_beyond(HalfEdgeId in_solid) {
   const Brep& brep = slot.block->brep;
   const HalfEdgeId h = solid.local(s, in_solid);
   const VertexId across = slot.turned ? brep.to(brep.next_of(h)) : brep.from(brep.prev_of(h));
-  return load_point(slot.block->geometry, brep.point_of(across), w_.geometry);
+  return load_point(slot.block->geometry(), brep.point_of(across), w_.geometry);
 }
 
 // A shell may touch the other boundary in all of its vertices. Its edges then lead away from it,

@@ -42,7 +42,7 @@ void GlueSources::add_block(Geometry& geometry, Operand s, std::uint32_t slot, b
   const Block& block = *of_solid.block;
   source_of_slot_[s][slot] = static_cast<std::uint32_t>(sources_.size());
   auto loader =
-      std::make_unique<GeometryLoader>(block.geometry, geometry, 2 * block.brep.face_count());
+      std::make_unique<GeometryLoader>(block.geometry(), geometry, 2 * block.brep.face_count());
   sources_.push_back(
       {s, slot, &block.brep, of_solid.turned != turned, std::move(loader), {}, {}, {}});
   GlueSource& source = sources_.back();

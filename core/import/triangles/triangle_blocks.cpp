@@ -101,7 +101,7 @@ class BlockMaker {
       }
       brep.origin[h] = VertexId(known);
     });
-    Geometry& geometry = block.geometry;
+    Geometry& geometry = block.geometry();
     geometry.positions.reserve(points.size());
     geometry.construct.reserve(points.size());
     brep.point.reserve(points.size());
@@ -111,7 +111,7 @@ class BlockMaker {
   void add_faces(std::uint32_t chunk, std::size_t triangles, Block& block) const {
     Brep& brep = block.brep;
     brep.reserve_faces(triangles);
-    block.geometry.planes.reserve(triangles);
+    block.geometry().planes.reserve(triangles);
     for_each_triangle(chunk, [&](std::uint32_t t) {
       const HalfEdgeId h[] = {local_[3 * t], local_[3 * t + 1], local_[3 * t + 2]};
       const LoopId loop(brep.outer_loop.size());
@@ -121,7 +121,7 @@ class BlockMaker {
         brep.loop[h[k]] = loop;
         if (block.is_border(h[k])) brep.origin[Brep::twin(h[k])] = brep.from(h[(k + 1) % 3]);
       }
-      const PlaneId plane = block.geometry.add_plane(
+      const PlaneId plane = block.geometry().add_plane(
           PlaneDefinition::through(point(brep, h[0]), point(brep, h[1]), point(brep, h[2])));
       brep.add_loop(brep.add_face(plane, {origin_, mesh_.source[t]}, loop), h[0]);
     });
