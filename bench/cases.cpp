@@ -19,6 +19,17 @@ Case spheres(const char* name, std::uint32_t segments, std::uint32_t rings) {
           }};
 }
 
+/// The box of each of the block's faces holds all of the sphere, but its plane cuts one circle.
+Case halved(const char* name, std::uint32_t segments, std::uint32_t rings) {
+  return {name, Operation::subtract, [=]() -> MakeOperands {
+            const auto turn = Transform::rotation_degrees({1, 2, 3}, 40);
+            return [mesh = sphere_mesh({0, 0, 0}, 1, segments, rings),
+                    block = transformed(block({0.1, -2, -2}, {4, 2, 2}), turn)] {
+              return std::pair(Solid::from_mesh(mesh), block);
+            };
+          }};
+}
+
 Case turned_cube() {
   return {"cube minus turned cube", Operation::subtract, []() -> MakeOperands {
             const PolygonMesh cube = block({-1, -1, -1}, {1, 1, 1}).to_mesh();
@@ -85,6 +96,8 @@ std::vector<Case> cases() {
       spheres("spheres of 1,000 triangles", 25, 21),
       spheres("spheres of 100,000 triangles", 250, 201),
       spheres("spheres of 1,000,000 triangles", 1000, 501),
+      halved("sphere of 100,000 triangles halved", 250, 201),
+      halved("sphere of 1,000,000 triangles halved", 1000, 501),
       plate_cut_across("plate with 1,000 holes cut across", 40, 25),
       plate_cut_across("plate with 10,000 holes cut across", 100, 100),
       plate_cut_along("plate with 1,000 holes cut along", 40, 25),
