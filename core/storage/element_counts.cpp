@@ -22,26 +22,34 @@ class CountedSets {
   std::size_t count_;
 };
 
+// Numbers for what the blocks have, one slot after another.
+struct Numbers {
+  std::vector<std::uint32_t> first;  ///< per slot
+  std::uint32_t count = 0;
+
+  template <class Count>
+  Numbers(std::span<const Slot> slots, const Count& count_of) {
+    for (const Slot& slot : slots) {
+      first.push_back(count);
+      if (!slot.empty()) count += static_cast<std::uint32_t>(count_of(*slot.block));
+    }
+  }
+};
+
 // Blocks have the ends of the edges between them in common.
 std::size_t count_vertices(const SolidData& solid) {
   const auto slots = solid.slots();
-  std::vector<std::uint32_t> first;
-  std::uint32_t vertices = 0;
-  for (const Slot& slot : slots) {
-    first.push_back(vertices);
-    if (!slot.empty()) vertices += static_cast<std::uint32_t>(slot.block->brep.vertex_count());
-  }
-  CountedSets sets(vertices);
+  const Numbers vertices(slots, [](const Block& b) { return b.brep.vertex_count(); });
+  CountedSets sets(vertices.count);
   for (std::uint32_t s = 0; s < slots.size(); ++s) {
     if (slots[s].empty()) continue;
     for (std::uint32_t b = 0; b < slots[s].block->border_count; ++b) {
       const HalfEdgeId here(2 * b);
       const auto [other, there] = solid.across(s, here);
       if (other < s) continue;
-      sets.unite(first[s] + slots[s].from(here).value(),
-                 first[other] + slots[other].to(there).value());
-      sets.unite(first[s] + slots[s].to(here).value(),
-                 first[other] + slots[other].from(there).value());
+      const std::uint32_t mine = vertices.first[s], others = vertices.first[other];
+      sets.unite(mine + slots[s].from(here).value(), others + slots[other].to(there).value());
+      sets.unite(mine + slots[s].to(here).value(), others + slots[other].from(there).value());
     }
   }
   return sets.count();
@@ -67,19 +75,15 @@ ElementCounts element_counts(const SolidData& solid) {
 
 std::size_t shell_count(const SolidData& solid) {
   const auto slots = solid.slots();
-  std::vector<std::uint32_t> first;
-  std::uint32_t pieces = 0;
-  for (const Slot& slot : slots) {
-    first.push_back(pieces);
-    if (!slot.empty()) pieces += slot.block->pieces().count;
-  }
-  CountedSets sets(pieces);
+  const Numbers pieces(slots, [](const Block& b) { return b.pieces().count; });
+  CountedSets sets(pieces.count);
   for (std::uint32_t s = 0; s < slots.size(); ++s) {
     if (!slots[s].links) continue;
     const std::uint32_t own = slots[s].block->pieces().count;
     for (std::uint32_t p = 0; p < own; ++p)
       for (const BorderLinks::Neighbour& n : slots[s].links->neighbours(*slots[s].block, p))
-        sets.unite(first[s] + p, first[s + static_cast<std::uint32_t>(n.slots)] + n.piece);
+        sets.unite(pieces.first[s] + p,
+                   pieces.first[s + static_cast<std::uint32_t>(n.slots)] + n.piece);
   }
   return sets.count();
 }
