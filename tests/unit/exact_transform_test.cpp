@@ -86,9 +86,10 @@ TEST(ExactMesh, TellsWhichCornersAreDoublesAndWhatOthersLack) {
   const ExactTransform place = move(0.2) * move(0.1);
   const ExactMesh moved = exact_mesh(transformed(block({0, 0, 0}, {1, 1, 1}), place));
   const PolygonMesh mesh = transformed(block({0, 0, 0}, {1, 1, 1}), place).to_mesh();
-  EXPECT_EQ(moved.mesh.positions, mesh.positions);
-  EXPECT_EQ(moved.mesh.indices, mesh.indices);
+  EXPECT_EQ(Solid::from_mesh(moved.mesh), Solid::from_mesh(mesh));
   ASSERT_EQ(moved.corners.size(), mesh.positions.size());
+  for (std::size_t i = 0; i < moved.corners.size(); ++i)
+    EXPECT_EQ(moved.corners[i].near, moved.mesh.positions[i]);
   for (const ExactCorner& corner : moved.corners) {
     EXPECT_EQ(corner.is_exact, (std::array<bool, 3>{true, true, true}));
     const ExactTransform none;
