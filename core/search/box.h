@@ -2,18 +2,22 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 #include "sectile/mesh.h"
 
 namespace sectile {
 
+/// The largest float that is not above a value. Half of all values round up, and no processor
+/// foretells which: the step to the next float below is a sum of bits. Zero has the sign of what it
+/// was rounded from.
 inline float round_down(double value) {
   const auto nearest = static_cast<float>(value);
-  return static_cast<double>(nearest) > value
-             ? std::nextafterf(nearest, -std::numeric_limits<float>::infinity())
-             : nearest;
+  const auto bits = std::bit_cast<std::uint32_t>(nearest);
+  const std::uint32_t step = static_cast<double>(nearest) > value ? 1 : 0;
+  return std::bit_cast<float>(bits >> 31 ? bits + step : bits - step);
 }
 inline float round_up(double value) {
   return -round_down(-value);

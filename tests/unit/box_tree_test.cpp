@@ -133,15 +133,30 @@ TEST(BoxTree, SkipsExactlyThePairsOfUnwantedGroups) {
     }
 }
 
-TEST(BoxTree, BoxesOfDoublesAreRoundedOutwards) {
+TEST(BoxTree, BoxesOfDoublesAreRoundedOutwardsToTheNextFloat) {
+  constexpr double end = std::numeric_limits<double>::infinity();
+  constexpr double largest = std::numeric_limits<float>::max();
+  std::vector<double> values = {0.0,     1.0,     0x1p-1074,       0x1p-150, 0x1p-149, 0x1.8p-149,
+                                largest, 0x1p128, 0x1.fffffffp127, 0x1p1000, end,      0.1};
   std::mt19937_64 random(6);
-  for (int i = 0; i < 10000; ++i) {
-    const double value =
-        std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 250) - 180) *
-        (random() % 2 == 0 ? 1 : -1);
-    EXPECT_LE(static_cast<double>(round_down(value)), value);
-    EXPECT_GE(static_cast<double>(round_up(value)), value);
-  }
+  for (int i = 0; i < 10000; ++i)
+    values.push_back(
+        std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 250) - 180));
+  for (const double size : values)
+    for (const double value : {size, -size}) {
+      const float down = round_down(value), up = round_up(value);
+      EXPECT_LE(static_cast<double>(down), value);
+      EXPECT_GE(static_cast<double>(up), value);
+      if (value < end) {
+        EXPECT_GT(
+            static_cast<double>(std::nextafterf(down, std::numeric_limits<float>::infinity())),
+            value);
+      }
+      EXPECT_EQ(up, -round_down(-value));
+      if (static_cast<double>(static_cast<float>(value)) == value) {
+        EXPECT_EQ(down, up);
+      }
+    }
 }
 
 }  // namespace
