@@ -24,6 +24,10 @@ void step(const Workspace& w, double done) {
   if (w.options.progress) w.options.progress(done);
 }
 
+bool is_observed(const Workspace& w, const Wanted& wanted) {
+  return w.options.observer && !wanted.operations.empty();
+}
+
 bool operands_touch_themselves(const Workspace& w) {
   return std::any_of(w.patch.begin(), w.patch.end(), [](const Patch& patch) {
     return patch.solid && patch.solid->touches_itself();
@@ -56,13 +60,16 @@ Solid solid_of(const Workspace& w, Glued glued) {
 }  // namespace
 
 CutBoundaries cut(Workspace& w, const FacePairs& pairs, const Wanted& wanted) {
-  const bool observed = w.options.observer && !wanted.operations.empty();
-  CutBoundaries result;
-  auto& [contacts, neighborhoods, joined] = result;
-
   step(w, 0.1);
-  contacts = reduce(w, pairs);
-  if (observed) report_reduction(w, contacts);
+  Contacts contacts = reduce(w, pairs);
+  if (is_observed(w, wanted)) report_reduction(w, contacts);
+  return cut_at(w, std::move(contacts), wanted);
+}
+
+CutBoundaries cut_at(Workspace& w, Contacts found, const Wanted& wanted) {
+  const bool observed = is_observed(w, wanted);
+  CutBoundaries result{std::move(found), {}, {}};
+  auto& [contacts, neighborhoods, joined] = result;
 
   step(w, 0.4);
   neighborhoods = find_neighborhoods(w, contacts, wanted);
@@ -84,9 +91,14 @@ CutBoundaries cut(Workspace& w, const FacePairs& pairs, const Wanted& wanted) {
 Solid assemble(Workspace& w, const CutBoundaries& boundaries, Operation operation,
                std::size_t number) {
   const auto& [contacts, neighborhoods, joined] = boundaries;
-  const std::vector<WedgePair>& wedges = neighborhoods.wedges[number];
+  return assemble(w, boundaries, find_kept(w, contacts, neighborhoods, joined, operation),
+                  operation, number);
+}
 
-  const FaceLabels kept = find_kept(w, contacts, neighborhoods, joined, operation);
+Solid assemble(Workspace& w, const CutBoundaries& boundaries, const FaceLabels& kept,
+               Operation operation, std::size_t number) {
+  const auto& [contacts, neighborhoods, joined] = boundaries;
+  const std::vector<WedgePair>& wedges = neighborhoods.wedges[number];
   if (w.options.observer) report_components(w, kept, operation);
 
   step(w, 0.7);

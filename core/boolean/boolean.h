@@ -1,6 +1,7 @@
 // The outline that Booleans, splitting, classification and complements share.
 #pragma once
 
+#include "boolean/components/components.h"
 #include "boolean/joining/joining.h"
 
 namespace sectile {
@@ -15,6 +16,9 @@ inline BooleanOptions without_observer(BooleanOptions options) {
 }
 /// Loads the faces that may meet; `pairs` are pairs of loaded faces, ascending.
 void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs);
+/// Both operands are one solid, of which nothing but the faces in some of its slots can be loaded.
+void load_slots(Workspace& w, const SolidData& solid, std::span<const std::uint32_t> slots,
+                FacePairs& pairs);
 /// The loaded face that stands for a face of the operand.
 FaceId loaded_face(const Patch& patch, FaceId face);
 
@@ -27,9 +31,14 @@ struct CutBoundaries {
 
 /// Phases 1 to 4. The patches of the workspace are cut.
 CutBoundaries cut(Workspace& w, const FacePairs& pairs, const Wanted& wanted);
+/// The same, where the contacts are known.
+CutBoundaries cut_at(Workspace& w, Contacts contacts, const Wanted& wanted);
 
 /// Phases 5 to 7 for the wanted operation of that number.
 Solid assemble(Workspace& w, const CutBoundaries& boundaries, Operation operation,
                std::size_t number);
+/// The same, where it is known which faces stay.
+Solid assemble(Workspace& w, const CutBoundaries& boundaries, const FaceLabels& kept,
+               Operation operation, std::size_t number);
 
 }  // namespace sectile

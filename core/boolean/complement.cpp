@@ -1,25 +1,88 @@
 #include "boolean/complement.h"
 
+#include <algorithm>
+
 #include "boolean/boolean.h"
+#include "storage/touching_slots.h"
 
 namespace sectile {
 namespace {
 
-// The solid meets itself along all of its edges, so each line is sorted once.
+// Several edges, or an edge and a face: an edge that is met by nothing but itself is paired.
+bool is_along(const SegmentRecord& record, const SegmentRecord& other) {
+  return record.place[0] == other.place[0] && record.place[1] == other.place[1];
+}
+
+// A solid meets itself along all of its edges. What is left are the segments in which several of
+// its edges or faces meet.
+void leave_touching_segments(Contacts& contacts) {
+  std::vector<SegmentRecord>& all = contacts.segments;
+  std::sort(all.begin(), all.end(), [](const SegmentRecord& p, const SegmentRecord& q) {
+    return std::tie(p.place[0], p.place[1]) < std::tie(q.place[0], q.place[1]);
+  });
+  std::vector<SegmentRecord> touching;
+  for (auto from = all.begin(), to = from; from != all.end(); from = to) {
+    to = std::find_if(from, all.end(), [&](const SegmentRecord& r) { return !is_along(r, *from); });
+    const Entity first = from->on[Operand::a];
+    if (std::any_of(from, to, [&](const SegmentRecord& r) { return r.on[Operand::a] != first; }))
+      touching.insert(touching.end(), from, to);
+  }
+  all = std::move(touching);
+}
+
+// All of the first operand, which is the solid, and nothing of the second, which is the solid too.
+FaceLabels all_of_one(const Workspace& w) {
+  FaceLabels kept;
+  const Patch& patch = w.patch[Operand::a];
+  for (const Operand s : both_operands) kept.loaded[s].assign(w.patch[s].brep.face_count(), 0);
+  for (const FaceId f : patch.brep.faces())
+    if (patch.is_real(f)) kept.loaded[Operand::a][f] = 1;
+  kept.rest[Operand::a] = RestLabels(patch);
+  if (!kept.rest[Operand::a].empty()) kept.rest[Operand::a].label_all_but({}, 1);
+  return kept;
+}
+
+// The slots near the contacts' segments.
+std::vector<std::uint32_t> slots_near_segments(const Workspace& w, const SolidData& solid,
+                                               const Contacts& contacts) {
+  std::vector<Box> boxes;
+  for (const SegmentRecord& r : contacts.segments) {
+    Bounds bounds;
+    for (const PlaceId place : r.place) bounds.add(w.geometry.position(contacts.point(place)));
+    boxes.push_back(bounds.box());
+  }
+  return slots_near(solid, boxes);
+}
+
+// A line in which the solid touches itself may lead on to other slots.
 std::shared_ptr<const SolidData> paired_for_complement(const SolidData& solid) {
   const BooleanOptions options;
-  Workspace w(options);
-  FacePairs pairs;
-  load(w, solid, solid, pairs);
-  const Operation wanted[] = {Operation::unite};
-  return assemble(w, cut(w, pairs, {wanted, true}), Operation::unite, 0).data();
+  const auto first = solid.touching_slots();
+  for (std::vector<std::uint32_t> slots(first.begin(), first.end());;) {
+    Workspace w(options);
+    FacePairs pairs;
+    load_slots(w, solid, slots, pairs);
+    Contacts contacts = reduce(w, pairs);
+    leave_touching_segments(contacts);
+    if (contacts.segments.empty()) return nullptr;
+    const std::vector<std::uint32_t> near = slots_near_segments(w, solid, contacts);
+    const std::size_t known = slots.size();
+    slots.insert(slots.end(), near.begin(), near.end());
+    std::sort(slots.begin(), slots.end());
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    if (slots.size() > known) continue;
+    const Operation wanted[] = {Operation::unite};
+    const CutBoundaries boundaries = cut_at(w, std::move(contacts), {wanted, true});
+    return assemble(w, boundaries, all_of_one(w), Operation::unite, 0).data();
+  }
 }
 
 }  // namespace
 
 const SolidData& reversible(const SolidData& solid) {
-  if (!solid.touches_itself()) return solid;
-  return solid.complement([&] { return paired_for_complement(solid); });
+  if (solid.touching_slots().empty()) return solid;
+  const SolidData* paired = solid.complement([&] { return paired_for_complement(solid); });
+  return paired ? *paired : solid;
 }
 
 }  // namespace sectile

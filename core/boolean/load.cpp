@@ -23,6 +23,23 @@ class SlotPairs {
     BoxTree::overlaps(a.slot_tree(), b.slot_tree(), [&](std::uint32_t i, std::uint32_t j) {
       pairs_.push_back({a.slots_in_tree()[i], b.slots_in_tree()[j]});
     });
+    collect_slots();
+  }
+  /// Of some slots of one solid, which are ascending.
+  SlotPairs(const SolidData& solid, std::span<const std::uint32_t> slots) {
+    std::vector<Box> boxes;
+    for (const std::uint32_t s : slots) boxes.push_back(solid.slot(s).block->bounds());
+    const BoxTree tree(boxes);
+    BoxTree::overlaps(tree, tree, [&](std::uint32_t i, std::uint32_t j) {
+      pairs_.push_back({slots[i], slots[j]});
+    });
+    collect_slots();
+  }
+  std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs() const { return pairs_; }
+  std::span<const std::uint32_t> slots(Operand s) const { return slots_[s]; }
+
+ private:
+  void collect_slots() {
     std::sort(pairs_.begin(), pairs_.end());
     for (const auto& [i, j] : pairs_) {
       slots_[Operand::a].push_back(i);
@@ -34,10 +51,6 @@ class SlotPairs {
     }
   }
 
-  std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs() const { return pairs_; }
-  std::span<const std::uint32_t> slots(Operand s) const { return slots_[s]; }
-
- private:
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
   PerOperand<std::vector<std::uint32_t>> slots_;
 };
@@ -282,10 +295,8 @@ void load_patches(Workspace& w, const SolidData& a, const std::vector<FaceId>& o
   move_to_end(patch_b, geometry_of_b, w.geometry);
 }
 
-}  // namespace
-
-void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs) {
-  const SlotPairs slots(a, b);
+void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs& slots,
+          FacePairs& pairs) {
   make_trees(w, a, slots.slots(Operand::a));
   make_trees(w, b, slots.slots(Operand::b));
   const CommonHubs hubs(a, b, slots);
@@ -307,6 +318,17 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs
   }
   hubs.add_pairs_of_owners(w, pairs);
   sort(pairs, w.patch[Operand::a].loaded_faces);
+}
+
+}  // namespace
+
+void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs) {
+  load(w, a, b, SlotPairs(a, b), pairs);
+}
+
+void load_slots(Workspace& w, const SolidData& solid, std::span<const std::uint32_t> slots,
+                FacePairs& pairs) {
+  load(w, solid, solid, SlotPairs(solid, slots), pairs);
 }
 
 }  // namespace sectile

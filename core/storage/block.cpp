@@ -4,6 +4,7 @@
 
 #include "numbers/disjoint_sets.h"
 #include "parallel/once_alone.h"
+#include "topology/touching_vertices.h"
 
 namespace sectile {
 namespace {
@@ -52,6 +53,7 @@ Block::Block(std::shared_ptr<const Block> original, std::shared_ptr<const Geomet
       is_image_(true),
       original_(std::move(original)),
       mover_(std::move(mover)) {
+  set_touching_vertices(original_->touching_vertices());
   bounds_once_.run([this] { bounds_ = image_of(original_->bounds(), mover_->frame()); });
 }
 
@@ -73,6 +75,18 @@ const FaceTree& Block::tree() const {
 const Pieces& Block::pieces() const {
   once_alone(pieces_once_, [this] { pieces_ = find_pieces(*this); });
   return pieces_;
+}
+
+// A block that has neighbours was told so when it was made.
+const std::vector<VertexId>& Block::touching_vertices() const {
+  once_alone(touching_once_, [this] {
+    if (border_count == 0) touching_vertices_ = sectile::touching_vertices(brep);
+  });
+  return touching_vertices_;
+}
+
+void Block::set_touching_vertices(std::vector<VertexId> vertices) {
+  touching_once_.run([&] { touching_vertices_ = std::move(vertices); });
 }
 
 const Box& Block::bounds() const {

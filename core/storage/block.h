@@ -48,12 +48,16 @@ class Block {
     return geometry_;
   }
 
+  void set_touching_vertices(std::vector<VertexId> vertices);
+
   bool is_border(EdgeId e) const { return e.value() < border_count; }
   bool is_border(HalfEdgeId h) const { return h.value() < 2 * border_count; }
 
   // Found when first asked for, and then kept.
   const FaceTree& tree() const;
   const Pieces& pieces() const;
+  /// Where the solid touches itself, or did before it was cut: see topology/touching_vertices.h.
+  const std::vector<VertexId>& touching_vertices() const;
   /// Of all corners; around an image more loosely.
   const Box& bounds() const;
   // Not for a block without faces.
@@ -70,10 +74,11 @@ class Block {
   // Of an image, until its points are made.
   mutable std::shared_ptr<const Block> original_;
   mutable std::shared_ptr<const GeometryMover> mover_;
-  mutable OnceFlag image_once_, tree_once_, pieces_once_, bounds_once_, oriented_once_,
-      volume_once_, area_once_;
+  mutable OnceFlag image_once_, tree_once_, pieces_once_, touching_once_, bounds_once_,
+      oriented_once_, volume_once_, area_once_;
   mutable std::unique_ptr<FaceTree> tree_;
   mutable Pieces pieces_;
+  mutable std::vector<VertexId> touching_vertices_;
   mutable Box bounds_;
   mutable std::unique_ptr<OrientedBox> oriented_bounds_;
   mutable BlockVolume volume_;

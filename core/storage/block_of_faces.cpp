@@ -1,5 +1,7 @@
 #include "storage/block_of_faces.h"
 
+#include <algorithm>
+
 #include "storage/geometry_loader.h"
 
 namespace sectile {
@@ -11,6 +13,7 @@ void BlockOfFaces::fill() {
   add_faces(geometry);
   add_vertices(vertices, geometry);
   add_edge_planes(geometry);
+  add_touching_vertices(vertices);
   block_->bounds();
   block_->pieces();
 }
@@ -84,6 +87,14 @@ void BlockOfFaces::add_edge_planes(GeometryLoader& geometry) {
     if (to.edge_plane.empty()) to.edge_plane.resize(to.edge_count());
     to.edge_plane[Brep::edge_of(here)] = geometry.plane(plane);
   });
+}
+
+void BlockOfFaces::add_touching_vertices(std::span<const VertexId> vertices) {
+  std::vector<VertexId> touching;
+  for (std::size_t v = 0; !touching_.empty() && v < vertices.size(); ++v)
+    if (std::binary_search(touching_.begin(), touching_.end(), vertices[v]))
+      touching.push_back(VertexId(v));
+  block_->set_touching_vertices(std::move(touching));
 }
 
 }  // namespace sectile

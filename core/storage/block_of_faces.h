@@ -13,9 +13,10 @@ class BlockOfFaces {
  public:
   /// `local`: per half-edge of the structure. Of those of the faces it will say which they are in
   /// the block; faces of others may be made into blocks beside.
+  /// `touching`: vertices at which the structure touches itself, ascending.
   BlockOfFaces(const Brep& brep, const Geometry& geometry, std::span<const FaceId> faces,
-               std::span<HalfEdgeId> local)
-      : brep_(brep), geometry_(geometry), faces_(faces), local_(local) {}
+               std::span<const VertexId> touching, std::span<HalfEdgeId> local)
+      : brep_(brep), geometry_(geometry), faces_(faces), touching_(touching), local_(local) {}
 
   /// `leaves(HalfEdgeId)`: is the face beyond not one of these?
   template <class Leaves>
@@ -54,10 +55,12 @@ class BlockOfFaces {
   void add_loop(LoopId loop, LoopId made);
   void add_vertices(const std::vector<VertexId>& vertices, GeometryLoader& geometry);
   void add_edge_planes(GeometryLoader& geometry);
+  void add_touching_vertices(std::span<const VertexId> vertices);
 
   const Brep& brep_;
   const Geometry& geometry_;
   std::span<const FaceId> faces_;
+  std::span<const VertexId> touching_;
   std::span<HalfEdgeId> local_;
   std::vector<HalfEdgeId> leaving_;
   std::shared_ptr<Block> block_ = std::make_shared<Block>();

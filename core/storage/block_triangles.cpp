@@ -5,9 +5,9 @@
 #include "geometry/face_predicates.h"
 #include "geometry/kernel.h"
 #include "geometry/triangulation.h"
-#include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
 #include "sectile/errors.h"
+#include "storage/vertex_sets.h"
 
 namespace sectile {
 namespace {
@@ -112,7 +112,7 @@ class Collector {
   std::optional<BlockTriangles> run() {
     if (data_.touches_itself() || !cut_polygons()) return {};
     count();
-    unite_vertices();
+    number_vertices();
     parallel::loop(0, slots_.size(), [&](std::size_t s) {
       if (!slots_[s].empty()) write(static_cast<std::uint32_t>(s));
     });
@@ -130,52 +130,31 @@ class Collector {
   }
 
   void count() {
-    std::uint32_t vertices = 0, triangles = 0;
+    std::uint32_t triangles = 0;
     for (std::size_t s = 0; s < slots_.size(); ++s) {
-      result_.first_vertex.push_back(vertices);
       result_.first_triangle.push_back(triangles);
       if (slots_[s].empty()) continue;
       const Brep& brep = slots_[s].block->brep;
-      vertices += static_cast<std::uint32_t>(brep.vertex_count());
       triangles += static_cast<std::uint32_t>(brep.face_count() - polygons_[s].face_end.size() +
                                               polygons_[s].triangles.size());
       for (std::uint32_t i = 0; i < polygons_[s].triangles.size(); ++i)
         result_.cut.push_back(triangles - 1 - i);
     }
     result_.first_triangle.push_back(triangles);
-    result_.number.resize(vertices);
-    result_.owner_.resize(vertices);
     result_.indices.resize(3 * std::size_t(triangles));
     result_.source.resize(triangles);
     std::sort(result_.cut.begin(), result_.cut.end());
   }
 
-  // Blocks have the ends of the edges between them in common.
-  void unite_vertices() {
-    DisjointSets sets(result_.number.size());
-    const auto at = [&](std::uint32_t s, VertexId v) {
-      return result_.first_vertex[s] + v.value();
-    };
-    for (std::uint32_t s = 0; s < slots_.size(); ++s)
-      for_each_border(s, [&](HalfEdgeId h, std::uint32_t other, const BorderLink& link) {
-        if (other < s) return;
-        const HalfEdgeId back(2 * link.border);
-        sets.unite(at(s, slots_[s].from(h)), at(other, slots_[other].to(back)));
-        sets.unite(at(s, slots_[s].to(h)), at(other, slots_[other].from(back)));
-      });
+  void number_vertices() {
+    VertexSets vertices(data_);
+    result_.first_vertex = std::move(vertices.number.first);
+    result_.number.resize(vertices.number.count);
+    result_.owner_.resize(vertices.number.count);
     for (std::uint32_t v = 0; v < result_.number.size(); ++v) {
-      const std::uint32_t first = sets.first(v);
+      const std::uint32_t first = vertices.sets.first(v);
       result_.owner_[v] = first == v;
       result_.number[v] = first == v ? result_.vertex_count++ : result_.number[first];
-    }
-  }
-
-  template <class Visit>
-  void for_each_border(std::uint32_t s, const Visit& visit) const {
-    if (slots_[s].empty()) return;
-    for (std::uint32_t b = 0; b < slots_[s].block->border_count; ++b) {
-      const BorderLink& link = slots_[s].links->all()[b];
-      visit(HalfEdgeId(2 * b), s + static_cast<std::uint32_t>(link.slots), link);
     }
   }
 

@@ -7,6 +7,7 @@
 #include "search/curve_order.h"
 #include "search/face_tree.h"
 #include "storage/block_of_faces.h"
+#include "topology/touching_vertices.h"
 
 namespace sectile {
 namespace {
@@ -114,12 +115,13 @@ class Cutter {
       : part_(part),
         brep_(part.brep),
         groups_(part),
+        touching_(touching_vertices(part.brep)),
         links_(groups_.count()),
         local_(brep_.half_edge_count()),
         made_{{}, std::vector<BorderEdge>(part.outside.size())} {
     blocks_.reserve(groups_.count());
     for (std::size_t g = 0; g < groups_.count(); ++g)
-      blocks_.emplace_back(brep_, part.geometry, groups_[g], local_);
+      blocks_.emplace_back(brep_, part.geometry, groups_[g], touching_, local_);
   }
 
   CutPart run() {
@@ -176,6 +178,7 @@ class Cutter {
   const PartToCut& part_;
   const Brep& brep_;
   Groups groups_;
+  std::vector<VertexId> touching_;
   std::vector<BlockOfFaces> blocks_;
   std::vector<std::shared_ptr<const BorderLinks>> links_;
   std::vector<HalfEdgeId> local_;  // per half-edge: in its face's block

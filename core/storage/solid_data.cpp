@@ -4,6 +4,7 @@
 #include "storage/cut_into_blocks.h"
 #include "storage/join_blocks.h"
 #include "storage/splice.h"
+#include "storage/touching_slots.h"
 
 namespace sectile {
 
@@ -40,6 +41,7 @@ void SolidData::number_pages() {
   base_.clear();
   page_slot_.clear();
   face_count_ = 0;
+  const bool several = slots_.size() > 1;
   base_.reserve(slots_.size());
   page_slot_.reserve(slots_.size());
   for (std::uint32_t s = 0; s < slots_.size(); ++s) {
@@ -47,6 +49,8 @@ void SolidData::number_pages() {
     base_.push_back(static_cast<std::uint32_t>(page_slot_.size() << page_bits));
     if (slot.empty()) continue;
     if (slot.half_edges == 0) count_elements(slot);
+    if (several && slot.touching == Slot::Touching::unknown)
+      slot.touching = slot.may_touch() ? Slot::Touching::yes : Slot::Touching::no;
     face_count_ += slot.faces;
     page_slot_.resize(page_slot_.size() + (slot.half_edges >> page_bits) + 1, s);
   }
@@ -96,6 +100,11 @@ bool SolidData::touches_itself() const {
     touches_itself_ = vertices_coincide(slots_[0].block->brep, slots_[0].block->geometry());
   });
   return touches_itself_;
+}
+
+std::span<const std::uint32_t> SolidData::touching_slots() const {
+  once_alone(touching_slots_once_, [this] { touching_slots_ = find_touching_slots(*this); });
+  return touching_slots_;
 }
 
 }  // namespace sectile

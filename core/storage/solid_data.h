@@ -25,8 +25,14 @@ struct Slot {
   bool turned = false;  ///< all half-edges run the other way: the material is on the other side
   /// Of the block, once the slot is in a solid: not to go to each block for them.
   std::uint32_t faces = 0, half_edges = 0, pieces = 0;
+  enum class Touching : std::uint8_t { unknown, no, yes } touching = Touching::unknown;
 
   bool empty() const { return !block; }
+  /// Does the solid touch itself at vertices of the block, or did it?
+  bool may_touch() const {
+    return !empty() && (touching == Touching::unknown ? !block->touching_vertices().empty()
+                                                      : touching == Touching::yes);
+  }
   // Half-edges as they run in the solid.
   HalfEdgeId next_of(HalfEdgeId h) const {
     return turned ? block->brep.prev_of(h) : block->brep.next_of(h);
@@ -112,13 +118,15 @@ class SolidData {
 
   /// May several of its vertices be at one point? Found out when first asked.
   bool touches_itself() const;
+  /// Where it touches itself (storage/touching_slots.h). Found out when first asked.
+  std::span<const std::uint32_t> touching_slots() const;
 
   /// What make() gives when this is called first, and then kept: the same boundary with its edges
-  /// paired for the complement (boolean/complement.h).
+  /// paired for the complement (boolean/complement.h), or none if that is this one.
   template <class Make>
-  const SolidData& complement(const Make& make) const {
+  const SolidData* complement(const Make& make) const {
     once_alone(complement_once_, [&] { complement_ = make(); });
-    return *complement_;
+    return complement_.get();
   }
 
  private:
@@ -132,12 +140,14 @@ class SolidData {
   std::shared_ptr<Block> making_;
   bool may_touch_itself_ = true;
 
-  mutable OnceFlag whole_once_, one_block_once_, tree_once_, touches_once_, complement_once_;
+  mutable OnceFlag whole_once_, one_block_once_, tree_once_, touches_once_, touching_slots_once_,
+      complement_once_;
   mutable std::shared_ptr<const Block> joined_;
   mutable std::shared_ptr<const SolidData> in_one_block_;
   mutable BoxTree slot_tree_;
   mutable std::vector<std::uint32_t> slots_in_tree_;
   mutable bool touches_itself_ = false;
+  mutable std::vector<std::uint32_t> touching_slots_;
   mutable std::shared_ptr<const SolidData> complement_;
 };
 

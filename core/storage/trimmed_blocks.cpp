@@ -7,7 +7,7 @@ namespace sectile {
 TrimmedBlock::TrimmedBlock(const Block& old, std::vector<FaceId> faces)
     : faces_(std::move(faces)),
       local_(old.brep.half_edge_count()),
-      made_(old.brep, old.geometry(), faces_, local_) {
+      made_(old.brep, old.geometry(), faces_, old.touching_vertices(), local_) {
   std::vector<bool> stays(old.brep.face_count());
   for (const FaceId f : faces_) stays[f.value()] = true;
   made_.number_edges([&](HalfEdgeId h) {

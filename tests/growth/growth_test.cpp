@@ -245,6 +245,19 @@ TEST(Growth, VolumeAndCountsOfAResultThatSharesMost) {
   EXPECT_LT(per_face([](const Solid& solid) { solid.counts(); }), 30);
 }
 
+// It is paired anew where it touches itself, and only there.
+TEST(Growth, TakingAwayAFineSolidThatTouchesItself) {
+  const Solid touching = boolean(block({0.9, 0, 0}, {1.1, 0.1, 0.1}),
+                                 block({0.9, 0.1, 0.1}, {1.1, 0.2, 0.2}), Operation::unite);
+  const Solid corner = block({0.95, 0.05, 0.05}, {1.2, 0.15, 0.15});
+  const auto steps = [&](std::size_t n) {
+    const Solid ball =
+        boolean(Solid::from_mesh(sphere_of(n).to_mesh()), touching, Operation::unite);
+    return static_cast<double>(steps_of([&] { boolean(corner, ball, Operation::subtract); }));
+  };
+  EXPECT_LT((steps(80000) - steps(20000)) / 60000, 10);
+}
+
 // Of a moved solid, only the points of blocks near the other one are made.
 TEST(Growth, ASmallCutInALargeMovedSolid) {
   const Solid tool = block({0.9, -0.05, -0.05}, {1.2, 0.05, 0.05});

@@ -164,6 +164,54 @@ TEST(Blocks, WhatIsFarFromTheOtherSolidIsOutsideOfIt) {
       }
 }
 
+// Around an edge at which two parts touch, each part is a wedge of material. What is left of a
+// block without them has wedges between these, and hangs together along the edge as the parts do
+// not.
+TEST(Blocks, WhereWhatIsTakenAwayTouchesItselfItsEdgesArePairedAnew) {
+  const auto with_ball = [](const Vec3& low, const Vec3& high, const Vec3& centre) {
+    return boolean(block(low, high), ball(centre, 0.5, 60, 61), Operation::unite);
+  };
+  const Solid parts = boolean(with_ball({0, 0, 0}, {1, 1, 1}, {0.2, 0.1, 0.3}),
+                              with_ball({1, 1, 0}, {2, 2, 1}, {1.8, 1.9, 0.3}), Operation::unite);
+  ASSERT_EQ(parts.counts().shells, 2u);
+  ASSERT_GT(parts.data()->slots().size(), 10u);
+  EXPECT_LT(parts.data()->touching_slots().size(), parts.data()->slots().size());
+  const Solid around = block({-3, -3, -3}, {4, 4, 4}),
+              corner = block({0.9, 0.9, 0.5}, {1.1, 1.1, 2});
+  const Transform turn = Transform::rotation_degrees({1, 2, 3}, 40);
+  for (const Solid& taken : {parts, transformed(parts, turn),
+                             boolean(parts, ball({0, 0, 0}, 0.2, 30, 31), Operation::subtract)}) {
+    const Solid mould = boolean(around, taken, Operation::subtract);
+    EXPECT_EQ(mould.counts().shells, 2u);
+    EXPECT_EQ(mould, boolean(in_one_block(around), in_one_block(taken), Operation::subtract));
+    EXPECT_GE(shared(mould, taken), large_blocks(taken) - taken.data()->touching_slots().size());
+    EXPECT_TRUE(broken_links(mould.data()->brep(), false).empty());
+    EXPECT_EQ(boolean(around, mould, Operation::subtract).counts().shells, 2u);
+  }
+  EXPECT_EQ(
+      boolean(corner, parts, Operation::subtract),
+      boolean(corner, unite(std::vector{block({0, 0, 0}, {1, 1, 1}), block({1, 1, 0}, {2, 2, 1})}),
+              Operation::subtract));
+}
+
+// The cavity's vertices at the ends of the edge are one each, with two edges between them.
+TEST(Blocks, WhatIsLeftOfABlockWithoutWhatIsLeftOfItWithoutTwoCubesIsTheTwoCubes) {
+  const Solid cubes =
+      boolean(block({0, 0, 0}, {1, 1, 1}), block({1, 1, 0}, {2, 2, 1}), Operation::unite);
+  for (const Vec3& low : {Vec3{-1, -1, -1}, Vec3{0, -1, -1}, Vec3{-1, -1, 0}, Vec3{0, 0, 0}}) {
+    const Solid around = block(low, {3, 3, 3}), larger = block({-2, -2, -2}, {4, 4, 4});
+    const Solid mould = boolean(around, cubes, Operation::subtract);
+    const Solid back = boolean(around, mould, Operation::subtract);
+    EXPECT_EQ(back.counts().shells, 2u);
+    EXPECT_EQ(back.counts().vertices, 16u);
+    EXPECT_EQ(back, cubes);
+    const Solid filled = boolean(boolean(larger, mould, Operation::subtract),
+                                 boolean(larger, around, Operation::subtract), Operation::subtract);
+    EXPECT_EQ(filled.counts().shells, 2u);
+    EXPECT_EQ(filled, cubes);
+  }
+}
+
 TEST(Blocks, WhatIsTakenAwayIsSharedTurnedInsideOut) {
   const Solid body = ball({0, 0, 0}, 2, 100, 101), cavity = many_faces();
   const Solid hollow = boolean(body, cavity, Operation::subtract);

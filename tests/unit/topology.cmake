@@ -1,1 +1,2 @@
 sectile_test(euler_test SOURCES euler_test.cpp)
+sectile_test(touching_vertices_test SOURCES touching_vertices_test.cpp)
