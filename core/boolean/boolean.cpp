@@ -34,10 +34,11 @@ bool operands_touch_themselves(const Workspace& w) {
   });
 }
 
-// Faces of several blocks were loaded, and in these a place may have several points.
+// What was loaded and the blocks, which are made anew with it, each have points of their own: a
+// place of several vertices may have several.
 bool places_have_points_of_their_own(const Workspace& w) {
   return std::any_of(w.patch.begin(), w.patch.end(), [](const Patch& patch) {
-    return patch.solid && patch.solid->slots().size() > 1 && patch.solid->touches_itself();
+    return patch.solid && !patch.whole && patch.solid->touches_itself();
   });
 }
 

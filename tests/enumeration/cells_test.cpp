@@ -1,7 +1,10 @@
 // All pairs of the 255 non-empty subsets of the eight unit cells of a 2×2×2 block, under ∪ ∩ \.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "pairs.h"
+#include "sectile/primitives.h"
 
 namespace sectile::test {
 namespace {
@@ -32,6 +35,35 @@ TEST(Cells, SomePairsOfAllMeshings) {
     const Meshing b = a == Meshing::merged ? Meshing::shared : Meshing(int(a) + 1);
     EXPECT_EQ(faults_of_pairs({cubes, a, b, true}, pairs_of_subsets(127)), Faults{})
         << "meshings " << int(a) << ' ' << int(b);
+  }
+}
+
+// What is around a set touches itself where the set does, but has one vertex where the set has two.
+std::string fault_when_cut_out_twice(const Complex& cubes, Mask mask, Meshing how,
+                                     const Solid& around) {
+  const Solid set = Solid::from_mesh(Boundary(cubes, mask).mesh(how));
+  const Solid mould = boolean(around, set, Operation::subtract);
+  return fault(boolean(around, mould, Operation::subtract), cubes, mask, false);
+}
+
+TEST(Cells, WhatIsLeftOfABlockWithoutWhatIsLeftOfItWithoutASubsetIsTheSubset) {
+  const Complex cubes = Complex::cubes(2);
+  for (const Solid& around : {block({-1, -1, -1}, {3, 3, 3}), block({0, 0, 0}, {2, 2, 2})})
+    for (const Meshing how : {Meshing::shared, Meshing::merged})
+      for (Mask mask = 1; mask < 256; ++mask)
+        EXPECT_EQ(fault_when_cut_out_twice(cubes, mask, how, around), "")
+            << mask << " meshing " << int(how);
+}
+
+TEST(Cells, TheSameForSubsetsOf27Cells) {
+  const Complex cubes = Complex::cubes(3);
+  const Solid around[] = {block({-1, -1, -1}, {4, 4, 4}), block({0, 0, 0}, {3, 3, 3})};
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 200; ++i) {
+    const Mask mask = random() & random() & cubes.all();
+    for (const Meshing how : {Meshing::shared, Meshing::merged})
+      EXPECT_EQ(fault_when_cut_out_twice(cubes, mask, how, around[i % 2]), "")
+          << mask << " meshing " << int(how);
   }
 }
 

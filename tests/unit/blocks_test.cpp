@@ -212,6 +212,17 @@ TEST(Blocks, WhatIsLeftOfABlockWithoutWhatIsLeftOfItWithoutTwoCubesIsTheTwoCubes
   }
 }
 
+// What was loaded of the second solid, and what was not, had points of their own for the place
+// where the boxes touch: it was not seen that edges there lie at one place.
+TEST(Blocks, PlacesWhereBoxesTouchHaveOnePointWhereNotAllOfASmallSolidIsLoaded) {
+  const Solid boxes = unite(std::vector{block({2, 1, 1}, {3, 3, 3}), block({3, 0, 2}, {5, 3, 4}),
+                                        block({2, 3, 3}, {4, 4, 6}), block({1, 0, 3}, {2, 3, 6})});
+  const Solid around = block({0, 0, 0}, {9, 9, 9});
+  const Solid mould = boolean(around, boxes, Operation::subtract);
+  EXPECT_EQ(boxes.counts().shells, 2u);
+  EXPECT_EQ(boolean(around, mould, Operation::subtract).counts().shells, 2u);
+}
+
 TEST(Blocks, WhatIsTakenAwayIsSharedTurnedInsideOut) {
   const Solid body = ball({0, 0, 0}, 2, 100, 101), cavity = many_faces();
   const Solid hollow = boolean(body, cavity, Operation::subtract);
