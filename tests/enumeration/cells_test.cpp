@@ -67,6 +67,38 @@ TEST(Cells, TheSameForSubsetsOf27Cells) {
   }
 }
 
+struct Cells {
+  Mask mask = 0;
+  Solid solid;
+};
+
+// Results go on as operands. The first fault, with the step.
+std::string fault_in_chain(const Complex& complex, unsigned seed, int steps) {
+  std::mt19937_64 random(seed);
+  const auto imported = [&](Mask mask, Meshing how) {
+    return Cells{mask, Solid::from_mesh(Boundary(complex, mask).mesh(how))};
+  };
+  std::vector<Cells> pool = {imported(complex.all(), Meshing::merged)};
+  while (pool.size() < 6)
+    if (const Mask some = random() & random() & complex.all(); some != 0)
+      pool.push_back(imported(some, pool.size() % 2 == 0 ? Meshing::shared : Meshing::wedges));
+  for (int step = 0; step < steps; ++step) {
+    const Cells &a = pool[random() % pool.size()], &b = pool[random() % pool.size()];
+    const Operation operation = all_operations[random() % 3];
+    const Cells made{combined(a.mask, b.mask, operation), boolean(a.solid, b.solid, operation)};
+    if (const std::string what = fault(made.solid, complex, made.mask, false); !what.empty())
+      return "seed " + std::to_string(seed) + ", step " + std::to_string(step) + ": " + what;
+    if (made.mask != 0) pool[1 + random() % (pool.size() - 1)] = made;
+  }
+  return {};
+}
+
+TEST(Cells, ChainsOfAllOperationsHaveTheShellsAndHolesThatAreCounted) {
+  for (const Complex& complex :
+       {Complex::cubes(2), Complex::cubes(3), Complex::tetrahedra(2), Complex::fan()})
+    for (unsigned seed = 1; seed <= 12; ++seed) EXPECT_EQ(fault_in_chain(complex, seed, 40), "");
+}
+
 TEST(CellsExhaustive, AllPairsWithSharedVertices) {
   const Complex cubes = Complex::cubes(2);
   EXPECT_EQ(faults_of_pairs({cubes, Meshing::shared, Meshing::shared, false}, pairs_of_subsets(1)),
