@@ -245,7 +245,8 @@ TEST(Growth, VolumeAndCountsOfAResultThatSharesMost) {
   EXPECT_LT(per_face([](const Solid& solid) { solid.counts(); }), 30);
 }
 
-// It is paired anew where it touches itself, and only there.
+// It is paired anew where it touches itself, and only there: some thousands of faces, as the
+// blocks there happen to be cut. All faces would cost thousands of steps each.
 TEST(Growth, TakingAwayAFineSolidThatTouchesItself) {
   const Solid touching = boolean(block({0.9, 0, 0}, {1.1, 0.1, 0.1}),
                                  block({0.9, 0.1, 0.1}, {1.1, 0.2, 0.2}), Operation::unite);
@@ -255,7 +256,7 @@ TEST(Growth, TakingAwayAFineSolidThatTouchesItself) {
         boolean(Solid::from_mesh(sphere_of(n).to_mesh()), touching, Operation::unite);
     return static_cast<double>(steps_of([&] { boolean(corner, ball, Operation::subtract); }));
   };
-  EXPECT_LT((steps(80000) - steps(20000)) / 60000, 10);
+  EXPECT_LT((steps(320000) - steps(20000)) / 300000, 60);
 }
 
 // Of a moved solid, only the points of blocks near the other one are made.
