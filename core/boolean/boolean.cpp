@@ -76,7 +76,7 @@ CutBoundaries cut_at(Workspace& w, Contacts found, const Wanted& wanted) {
   neighborhoods = find_neighborhoods(w, contacts, wanted);
   if (observed) report_neighborhoods(w, contacts, neighborhoods, wanted.operations[0]);
 
-  const CutPlan plan = plan_cuts(neighborhoods);
+  const CutPlan plan = plan_cuts(w, neighborhoods);
   const Cuts cuts = insert_null_edges(w, contacts, neighborhoods, plan);
   check_links(w, "null edges");
   if (observed) report_null_edges(w, contacts, neighborhoods, cuts);

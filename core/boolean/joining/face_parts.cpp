@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "boolean/collect.h"
 #include "boolean/ray_count.h"
 #include "boolean/reduction/standing.h"
 #include "geometry/axes.h"
 #include "geometry/loop_area.h"
+#include "search/bucket_sort.h"
 #include "sectile/errors.h"
 #include "topology/euler.h"
 
@@ -248,15 +250,19 @@ class PartSettler {
   std::vector<std::unique_ptr<BoxTree>> edge_trees_;  // per outer loop, if it has many edges
 };
 
-// The parts of each divided face, ascending by their roots.
-std::vector<FaceId> parts_by_root(const Patch& patch, const Table<FaceId, std::uint8_t>& divided) {
+// The parts of the divided faces, face by face.
+struct PartsOfFaces {
   std::vector<FaceId> parts;
+  std::vector<std::uint32_t> first;  // per face that may be divided, and the end
+};
+
+PartsOfFaces parts_of_faces(const Patch& patch, const Table<FaceId, std::uint8_t>& divided) {
+  PartsOfFaces of;
   for (const FaceId f : patch.root.ids())
-    if (divided[patch.root_of(f)] && patch.is_real(f)) parts.push_back(f);
-  parallel::sort(parts.begin(), parts.end(), [&](FaceId f, FaceId g) {
-    return std::pair(patch.root_of(f), f) < std::pair(patch.root_of(g), g);
-  });
-  return parts;
+    if (divided[patch.root_of(f)] && patch.is_real(f)) of.parts.push_back(f);
+  of.first = bucket_sort(
+      of.parts, divided.size(), [&](FaceId f) { return patch.root_of(f).value(); }, std::less<>());
+  return of;
 }
 
 }  // namespace
@@ -264,18 +270,12 @@ std::vector<FaceId> parts_by_root(const Patch& patch, const Table<FaceId, std::u
 // What is written of a face is its own, so faces are settled beside each other.
 void settle_face_parts(Workspace& w, const PerOperand<Table<FaceId, std::uint8_t>>& divided) {
   for (const Operand s : both_operands) {
-    const std::vector<FaceId> parts = parts_by_root(w.patch[s], divided[s]);
-    const auto root = [&](std::size_t i) { return w.patch[s].root_of(parts[i]); };
-    std::vector<std::uint32_t> starts;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      if (i == 0 || root(i) != root(i - 1)) starts.push_back(static_cast<std::uint32_t>(i));
-    const std::size_t faces = starts.size();
-    starts.push_back(static_cast<std::uint32_t>(parts.size()));
-    for_each_range(w, faces, 256, [&](std::size_t first, std::size_t last) {
+    const PartsOfFaces of = parts_of_faces(w.patch[s], divided[s]);
+    for_each_range(w, divided[s].size(), 256, [&](std::size_t first, std::size_t last) {
       PartSettler settler(w, s);
-      for (std::size_t i = first; i < last; ++i)
-        settler.settle(root(starts[i]),
-                       std::span(parts).subspan(starts[i], starts[i + 1] - starts[i]));
+      for (std::size_t f = first; f < last; ++f)
+        if (const std::uint32_t from = of.first[f], to = of.first[f + 1]; from != to)
+          settler.settle(FaceId(f), std::span(of.parts).subspan(from, to - from));
     });
   }
 }

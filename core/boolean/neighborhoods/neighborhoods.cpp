@@ -1,12 +1,14 @@
 #include "boolean/neighborhoods/neighborhoods.h"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <utility>
 
 #include "boolean/collect.h"
 #include "boolean/line.h"
 #include "geometry/around_line.h"
+#include "search/bucket_sort.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -249,14 +251,15 @@ class SegmentBuilder {
   std::vector<const HalfPlane*> one_side_;  // per carrier of the segment
 };
 
-std::vector<Keyed> in_order(const std::vector<SegmentRecord>& records) {
+std::vector<Keyed> in_order(const Contacts& contacts) {
   std::vector<Keyed> order;
-  order.reserve(records.size());
-  for (const SegmentRecord& r : records)
+  order.reserve(contacts.segments.size());
+  for (const SegmentRecord& r : contacts.segments)
     order.push_back({std::uint64_t(r.place[0].value()) << 32 | r.place[1].value(),
                      std::uint64_t(r.on[Operand::a].code()) << 32 | r.on[Operand::b].code(),
                      static_cast<std::uint32_t>(order.size())});
-  parallel::sort(order.begin(), order.end());
+  bucket_sort(
+      order, contacts.places.size(), [](const Keyed& k) { return k.places >> 32; }, std::less<>());
   return order;
 }
 
@@ -264,7 +267,7 @@ std::vector<Keyed> in_order(const std::vector<SegmentRecord>& records) {
 class Finder {
  public:
   Finder(const Workspace& w, const Contacts& contacts, const Wanted& wanted)
-      : w_(w), contacts_(contacts), wanted_(wanted), order_(in_order(contacts.segments)) {
+      : w_(w), contacts_(contacts), wanted_(wanted), order_(in_order(contacts)) {
     for (std::size_t i = 0; i < order_.size(); ++i)
       if (i == 0 || order_[i].places != order_[i - 1].places)
         starts_.push_back(static_cast<std::uint32_t>(i));

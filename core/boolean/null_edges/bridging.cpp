@@ -21,14 +21,11 @@ class Bridging {
   OperandBridges take() { return std::move(bridges_); }
 
   void at_place(std::span<const SiteId> sites) {
+    const auto divides = [&](SiteId s) { return !plan_.sites[s].entity.is_face(); };
+    if (std::ranges::count_if(sites, divides) < 2) return;
     corners_.clear();
-    std::size_t vertices = 0;
-    for (const SiteId s : sites) {
-      if (plan_.sites[s].entity.is_face()) continue;
-      ++vertices;
-      add_corners(vertices_[s].vertex);
-    }
-    if (vertices < 2) return;
+    for (const SiteId s : sites)
+      if (divides(s)) add_corners(vertices_[s].vertex);
     std::stable_sort(corners_.begin(), corners_.end(), [&](HalfEdgeId g, HalfEdgeId h) {
       return brep().face_of(g) < brep().face_of(h);
     });

@@ -198,7 +198,8 @@ class Ordering {
     const auto moved = collect_ranges<std::uint8_t>(
         w_, places.size(), chunk, [&](std::size_t first, std::size_t last, std::uint8_t& any) {
           PlaceLeaver leaver(given_, along_);
-          for (std::size_t i = first; i < last; ++i) any |= leaver.leave_place(places[i], leaving_);
+          for (std::size_t i = first; i < last; ++i)
+            if (!places[i].empty()) any |= leaver.leave_place(places[i], leaving_);
         });
     order_.at.resize(plan_.sites.size());
     if (std::ranges::find(moved, 1) != moved.end()) return group_by_site();

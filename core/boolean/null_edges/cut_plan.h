@@ -30,6 +30,6 @@ struct CutPlan {
   Table<CarrierId, std::array<PlannedEndId, 2>> of_carrier;
 };
 
-CutPlan plan_cuts(const Neighborhoods& neighborhoods);
+CutPlan plan_cuts(const Workspace& w, const Neighborhoods& neighborhoods);
 
 }  // namespace sectile

@@ -116,7 +116,7 @@ Cuts insert_null_edges(Workspace& w, const Contacts& contacts, const Neighborhoo
   reserve(w, plan);
   const SiteVertices vertices = subdivide_edges(w, contacts, plan);
   check_links(w, "subdivision");
-  const SitesByPlace places(plan);
+  const SitesByPlace places(plan, contacts.places.size());
   PerOperand<OperandBridges> bridges = bridge_touching_corners(w, plan, places, vertices);
   const CutOrder order = order_cuts(w, contacts, neighborhoods, plan, places, vertices);
   Cuts cuts = in_order(w, plan, order);

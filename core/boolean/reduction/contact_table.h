@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "boolean/entity_numbers.h"
 #include "boolean/reduction/reduction.h"
 
 namespace sectile {
@@ -38,28 +39,12 @@ struct PairOfFaces {
   PerOperand<std::uint32_t> first_sided, last_sided;
 };
 
-/// Where the hits of each edge and vertex of a solid begin in a list that is ascending by key.
-class HitsOfPiercers {
- public:
-  HitsOfPiercers() = default;
-  HitsOfPiercers(std::span<const Hit> hits, const Brep& brep);
-  /// The numbers of the first hit and of the one behind the last.
-  std::pair<std::uint32_t, std::uint32_t> operator[](Entity piercer) const {
-    const std::size_t at = piercer.is_edge() ? piercer.index() + vertices_ : piercer.index();
-    return {first_[at], first_[at + 1]};
-  }
-
- private:
-  std::size_t vertices_ = 0;
-  std::vector<std::uint32_t> first_;  // vertices, then edges, then the end
-};
-
 /// The outcome of the tests of all pairs. [s]: the piercer or edge belongs to solid s.
 struct ContactTable {
   PerOperand<std::vector<Hit>> hits;  ///< ascending by key
-  PerOperand<HitsOfPiercers> hits_of;
+  PerOperand<EntityNumbers> numbers;
+  PerOperand<std::vector<std::uint32_t>> first_hit;  ///< per number of a piercer, and the end
   PerOperand<std::vector<InPlane>> in_plane;
-  std::vector<std::pair<EdgeId, EdgeId>> flat_crossings;
   std::vector<PairOfFaces> pairs;  ///< not separated by one of their planes
   PerOperand<std::vector<SidedHalfEdge>> sided;
 

@@ -2,13 +2,13 @@
 // of the other that comes near it, once.
 #include <algorithm>
 #include <iterator>
-#include <numeric>
+#include <tuple>
 
 #include "boolean/collect.h"
 #include "boolean/face_location.h"
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
-#include "search/large_sort.h"
+#include "search/bucket_sort.h"
 
 namespace sectile {
 namespace {
@@ -239,62 +239,72 @@ void make_points(Workspace& w, Table<ContactId, Contact>& contacts) {
   w.kernel->refresh();
 }
 
-void number_contacts(const Workspace& w, ContactTable& table, Table<ContactId, Contact>& found) {
-  std::vector<Contact>& contacts = found.items();
-  const auto by_entities = [](const Contact& c) {
-    return std::uint64_t(c.on[Operand::a].code()) << 32 | c.on[Operand::b].code();
-  };
-  const auto contact_of = [](Operand s, const Hit& hit) {
-    Contact c;
-    c.on[s] = hit.piercer;
-    c.on[other(s)] = hit.found;
-    return c;
-  };
+// The entities of a contact as some pair of faces found them; `order` counts what is found.
+struct Found {
+  Entity a, b;
+  std::uint32_t order;
+};
+
+// Calls visit(entity of A, entity of B) for what the pairs found, one after the other, and notes
+// the contact that it returns.
+template <class Visit>
+void for_each_found(std::vector<PairOutput>& outputs, const Visit& visit) {
+  for (PairOutput& out : outputs) {
+    for (Hit& hit : out.hits[Operand::a]) hit.contact = visit(hit.piercer, hit.found);
+    for (Hit& hit : out.hits[Operand::b]) hit.contact = visit(hit.found, hit.piercer);
+    for (const auto& [e, f] : out.flat_crossings) visit(e, f);
+  }
+}
+
+// Per element, by its order: that of the first one with the same entities.
+std::vector<std::uint32_t> first_finds(std::vector<Found> found, const EntityNumbers& of_a) {
+  bucket_sort(
+      found, of_a.size(), [&](const Found& f) { return of_a[f.a]; },
+      [](const Found& p, const Found& q) {
+        return std::tie(p.b, p.order) < std::tie(q.b, q.order);
+      });
+  std::vector<std::uint32_t> first(found.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const bool again = i > 0 && found[i].a == found[i - 1].a && found[i].b == found[i - 1].b;
+    first[found[i].order] = again ? first[found[i - 1].order] : found[i].order;
+  }
+  return first;
+}
+
+// Several pairs of faces find a contact. Contacts are numbered as they are found first: what is
+// near in the solids is near in all tables from here on, and so in the caches.
+void number_contacts(const EntityNumbers& of_a, std::vector<PairOutput>& outputs,
+                     Table<ContactId, Contact>& contacts) {
+  std::vector<Found> found;
+  for_each_found(outputs, [&](Entity a, Entity b) {
+    found.push_back({a, b, static_cast<std::uint32_t>(found.size())});
+    return ContactId();
+  });
+  const std::vector<std::uint32_t> first = first_finds(std::move(found), of_a);
+  std::vector<ContactId> number;
+  number.reserve(first.size());
+  for_each_found(outputs, [&](Entity a, Entity b) {
+    const std::size_t i = number.size();
+    number.push_back(first[i] == i ? contacts.add({{a, b}, {}, {}}) : number[first[i]]);
+    return number.back();
+  });
+}
+
+void sort_by_piercer(ContactTable& table) {
   for (const Operand s : both_operands)
-    for (const Hit& hit : table.hits[s]) contacts.push_back(contact_of(s, hit));
-  for (const auto& [e, f] : table.flat_crossings) {
-    Contact c;
-    c.on[Operand::a] = e;
-    c.on[Operand::b] = f;
-    contacts.push_back(c);
-  }
-  large_sort(contacts,
-             [&](const Contact& p, const Contact& q) { return by_entities(p) < by_entities(q); });
-  contacts.erase(std::unique(contacts.begin(), contacts.end(),
-                             [&](const Contact& p, const Contact& q) {
-                               return by_entities(p) == by_entities(q);
-                             }),
-                 contacts.end());
-  for (const Operand s : both_operands) {
-    std::vector<Hit>& hits = table.hits[s];
-    large_sort(hits, [](const Hit& p, const Hit& q) {
-      return p.key() != q.key() ? p.key() < q.key() : p.found.code() < q.found.code();
-    });
-    for_each(w, hits.size(), 1024, [&](std::size_t i) {
-      const std::uint64_t key = by_entities(contact_of(s, hits[i]));
-      const auto at = std::lower_bound(
-          contacts.begin(), contacts.end(), key,
-          [&](const Contact& c, std::uint64_t wanted) { return by_entities(c) < wanted; });
-      hits[i].contact = ContactId(static_cast<std::size_t>(at - contacts.begin()));
-    });
-    table.hits_of[s] = HitsOfPiercers(hits, w.patch[s].brep);
-  }
+    table.first_hit[s] = bucket_sort(
+        table.hits[s], table.numbers[s].size(),
+        [&](const Hit& hit) { return table.numbers[s][hit.piercer]; },
+        [](const Hit& p, const Hit& q) {
+          return std::tie(p.face, p.found) < std::tie(q.face, q.found);
+        });
 }
 
 }  // namespace
 
-HitsOfPiercers::HitsOfPiercers(std::span<const Hit> hits, const Brep& brep)
-    : vertices_(brep.vertex_count()), first_(brep.vertex_count() + brep.edge_count() + 1, 0) {
-  // Vertices come before edges in the order of the keys, too.
-  for (const Hit& hit : hits) {
-    const Entity p = hit.piercer;
-    ++first_[(p.is_edge() ? p.index() + vertices_ : p.index()) + 1];
-  }
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-}
-
 std::span<const Hit> ContactTable::find(Operand solid, Entity piercer, FaceId face) const {
-  const auto [first, last] = hits_of[solid][piercer];
+  const std::size_t number = numbers[solid][piercer];
+  const std::uint32_t first = first_hit[solid][number], last = first_hit[solid][number + 1];
   const std::span<const Hit> of_piercer = std::span(hits[solid]).subspan(first, last - first);
   const auto [from, to] =
       std::equal_range(of_piercer.begin(), of_piercer.end(), Hit{piercer, face, {}, {}},
@@ -308,6 +318,8 @@ ContactTable find_contacts(Workspace& w, const FacePairs& candidates, Contacts& 
         PairTest(w, out)(candidates[i].first, candidates[i].second);
       });
   ContactTable table;
+  for (const Operand s : both_operands) table.numbers[s] = EntityNumbers(w.patch[s].brep);
+  number_contacts(table.numbers[Operand::a], outputs, found.contacts);
   for (PairOutput& out : outputs) {
     for (const Operand s : both_operands) {
       for (PairOfFaces& pair : out.pairs)
@@ -317,10 +329,9 @@ ContactTable find_contacts(Workspace& w, const FacePairs& candidates, Contacts& 
       append(table.hits[s], out.hits[s]);
       append(table.in_plane[s], out.in_plane[s]);
     }
-    append(table.flat_crossings, out.flat_crossings);
     append(table.pairs, out.pairs);
   }
-  number_contacts(w, table, found.contacts);
+  sort_by_piercer(table);
   make_points(w, found.contacts);
   find_places(w, ContactId(0), found);
   return table;

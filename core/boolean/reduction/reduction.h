@@ -32,7 +32,7 @@ struct SegmentRecord {
 
 /// Where the two boundaries meet.
 struct Contacts {
-  Table<ContactId, Contact> contacts;   ///< ascending by entities, crossings last
+  Table<ContactId, Contact> contacts;   ///< as pairs of faces find them, crossings last
   Table<PlaceId, PointId> places;       ///< the point of each place
   std::vector<SegmentRecord> segments;  ///< one for each two entities that share one
 

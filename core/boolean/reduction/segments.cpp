@@ -2,14 +2,14 @@
 // along an edge.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <functional>
 
 #include "boolean/collect.h"
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
 #include "boolean/reduction/standing.h"
 #include "geometry/axes.h"
-#include "search/large_sort.h"
+#include "search/bucket_sort.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -24,37 +24,31 @@ class EdgeNodes {
       : w_(w), found_(found), solid_(solid) {
     for (const ContactId i : found.contacts.ids())
       if (found.contacts[i].on[solid].is_edge()) order_.push_back(i);
-    const auto edge = [&](ContactId i) { return found.contacts[i].on[solid].edge(); };
-    large_sort(order_, [&](ContactId i, ContactId j) {
-      return edge(i) != edge(j) ? edge(i) < edge(j) : i < j;
-    });
-    for (std::size_t from = 0, to; from < order_.size(); from = to) {
-      for (to = from + 1; to < order_.size() && edge(order_[to]) == edge(order_[from]);) ++to;
-      if (to - from > 1) sort_along(edge(order_[from]), from, to);
-    }
+    first_ = bucket_sort(
+        order_, w.patch[solid].brep.edge_count(),
+        [&](ContactId i) { return found.contacts[i].on[solid].edge().value(); }, std::less<>());
+    for (const EdgeId e : w.patch[solid].brep.edges())
+      if (first_[e.value() + 1] - first_[e.value()] > 1) sort_along(e);
   }
 
   /// Indices of the contacts on an edge, but for some that are not in the box; those at one place
   /// are neighbours.
   std::span<const ContactId> near(EdgeId e, const Box& box) const {
-    const auto edge = [&](ContactId i) { return found_.contacts[i].on[solid_].edge(); };
-    const auto first = std::partition_point(order_.begin(), order_.end(),
-                                            [&](ContactId i) { return edge(i) < e; });
-    const auto last =
-        std::partition_point(first, order_.end(), [&](ContactId i) { return edge(i) == e; });
-    return last - first < 2 ? std::span(first, last) : within(std::span(first, last), box);
+    const std::uint32_t first = first_[e.value()], last = first_[e.value() + 1];
+    const std::span<const ContactId> nodes = std::span(order_).subspan(first, last - first);
+    return nodes.size() < 2 ? nodes : within(nodes, box);
   }
 
  private:
-  void sort_along(EdgeId e, std::size_t from, std::size_t to) {
+  void sort_along(EdgeId e) {
     const Patch& patch = w_.patch[solid_];
     const HalfEdgeId h = Brep::half_edge(e);
     const auto [a, b] = line_planes(patch, h);
     const int axis = w_.tests().cross_axis(a, b);
     const Sign along = w_.tests().compare(patch.brep.point_of(patch.brep.from(h)),
                                           patch.brep.point_of(patch.brep.to(h)), axis);
-    std::sort(order_.begin() + static_cast<std::ptrdiff_t>(from),
-              order_.begin() + static_cast<std::ptrdiff_t>(to), [&](ContactId i, ContactId j) {
+    std::sort(order_.begin() + first_[e.value()], order_.begin() + first_[e.value() + 1],
+              [&](ContactId i, ContactId j) {
                 const PlaceId p = found_.contacts[i].place, q = found_.contacts[j].place;
                 if (p == q) return i < j;
                 return w_.tests().compare(found_.point(p), found_.point(q), axis) == along;
@@ -88,7 +82,8 @@ class EdgeNodes {
   const Workspace& w_;
   const Contacts& found_;
   Operand solid_;
-  std::vector<ContactId> order_;
+  std::vector<ContactId> order_;      // by edge, then along it
+  std::vector<std::uint32_t> first_;  // per edge, and the end
 };
 
 void emit(std::vector<SegmentRecord>& out, SegmentRecord r) {
@@ -385,6 +380,7 @@ void find_segments(const Workspace& w, const ContactTable& table, Contacts& foun
       });
   for (const Records& r : of_pairs) append(found.segments, r);
   for (const Operand s : both_operands) {
+    if (table.in_plane[s].empty()) continue;
     const EdgeNodes nodes(w, found, s);
     const auto in_planes = collect_ranges<Records>(
         w, table.in_plane[s].size(), 128, [&](std::size_t first, std::size_t last, Records& out) {

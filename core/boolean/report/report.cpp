@@ -1,5 +1,8 @@
 #include "boolean/report/report.h"
 
+#include <algorithm>
+#include <tuple>
+
 #include "boolean/report/report_names.h"
 #include "boolean/report/report_places.h"
 
@@ -38,6 +41,16 @@ bool is_vertex_vertex(const Neighborhoods& n, const Segment& s) {
   return false;
 }
 
+// As one reads them: vertices before edges, and these before faces.
+std::vector<Contact> by_entities(const Contacts& contacts) {
+  std::vector<Contact> sorted(contacts.contacts.begin(), contacts.contacts.end());
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Contact& p, const Contact& q) {
+    return std::tie(p.on[Operand::a], p.on[Operand::b]) <
+           std::tie(q.on[Operand::a], q.on[Operand::b]);
+  });
+  return sorted;
+}
+
 }  // namespace
 
 void report_reduction(const Workspace& w, const Contacts& contacts) {
@@ -46,7 +59,7 @@ void report_reduction(const Workspace& w, const Contacts& contacts) {
     return std::pair(traced(w.patch[Operand::a], on[Operand::a]),
                      traced(w.patch[Operand::b], on[Operand::b]));
   };
-  for (const Contact& c : contacts.contacts) {
+  for (const Contact& c : by_entities(contacts)) {
     const auto [a, b] = traced_pair(c.on);
     ContactEvent event{a, b, place_at(w, contacts, c.place), {}};
     for (const Operand s : both_operands) add_sectors(w, s, c.on[s], event.sectors);

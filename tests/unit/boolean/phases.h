@@ -31,7 +31,7 @@ class Phases {
   }
   const CutPlan& plan() {
     const Neighborhoods& n = neighborhoods();
-    return once(plan_, [&] { return plan_cuts(n); });
+    return once(plan_, [&] { return plan_cuts(w, n); });
   }
   const Cuts& cuts() {
     const CutPlan& p = plan();
