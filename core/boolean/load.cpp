@@ -311,7 +311,7 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
   hubs.mark_faces(of_a, of_b);
   load_patches(w, a, of_a.marked(), b, of_b.marked());
   w.kernel = std::make_unique<Kernel>(w.geometry);
-  for (Patch& patch : w.patch) complete_patch(patch, w.geometry, *w.kernel);
+  complete_patches(w.patch, w.geometry, *w.kernel);
   for (auto& [f, g] : pairs) {
     f = of_a.loaded_face(w.patch[Operand::a], f);
     g = of_b.loaded_face(w.patch[Operand::b], g);

@@ -1,5 +1,6 @@
 #include "boolean/patch.h"
 
+#include "boolean/side_by_side.h"
 #include "geometry/kernel.h"
 #include "search/id_map.h"
 #include "sectile/errors.h"
@@ -246,8 +247,9 @@ PlaneId pinning_plane(Patch& patch, EdgeId e, Geometry& geometry, const Kernel& 
   return brep.edge_plane[e] = made;
 }
 
-void find_sides(Patch& patch, Geometry& geometry, const Kernel& kernel) {
-  Brep& brep = patch.brep;
+// Of flat edges only which they are.
+void find_sides(Patch& patch, const Kernel& kernel) {
+  const Brep& brep = patch.brep;
   patch.flat.resize(brep.edge_count());
   for (const EdgeId e : patch.flat.ids()) {
     PlaneId planes[2];
@@ -256,13 +258,17 @@ void find_sides(Patch& patch, Geometry& geometry, const Kernel& kernel) {
       const FaceId f = brep.face_of(h);
       planes[side] = patch.is_real(f) ? patch.plane(f) : patch.side(Brep::twin(h));
     }
-    PlaneId sides[2] = {planes[1], planes[0]};
-    if (kernel.parallel(planes[0], planes[1])) {
-      patch.flat[e] = 1;
-      sides[0] = sides[1] = pinning_plane(patch, e, geometry, kernel);
-    }
+    patch.flat[e] = kernel.parallel(planes[0], planes[1]) ? 1 : 0;
     for (unsigned side = 0; side < 2; ++side)
-      patch.side_plane[Brep::half_edge(e, side)] = sides[side];
+      patch.side_plane[Brep::half_edge(e, side)] = planes[1 - side];
+  }
+}
+
+void pin_flat_edges(Patch& patch, Geometry& geometry, const Kernel& kernel) {
+  for (const EdgeId e : patch.flat.ids()) {
+    if (!patch.is_flat(e)) continue;
+    const PlaneId plane = pinning_plane(patch, e, geometry, kernel);
+    for (unsigned side = 0; side < 2; ++side) patch.side_plane[Brep::half_edge(e, side)] = plane;
   }
 }
 
@@ -294,12 +300,17 @@ void find_boxes(Patch& patch, const Geometry& geometry) {
 
 }  // namespace
 
-void complete_patch(Patch& patch, Geometry& geometry, Kernel& kernel) {
-  patch.root.resize(patch.brep.face_count());
-  for (const FaceId f : patch.root.ids()) patch.root[f] = f;
-  find_sides(patch, geometry, kernel);
+void complete_patches(PerOperand<Patch>& patches, Geometry& geometry, Kernel& kernel) {
+  const std::size_t faces = patches[Operand::a].loaded_faces + patches[Operand::b].loaded_faces;
+  for_both_operands(faces, [&](Operand s) {
+    Patch& patch = patches[s];
+    patch.root.resize(patch.brep.face_count());
+    for (const FaceId f : patch.root.ids()) patch.root[f] = f;
+    find_sides(patch, kernel);
+    find_boxes(patch, geometry);
+  });
+  for (Patch& patch : patches) pin_flat_edges(patch, geometry, kernel);
   kernel.refresh();
-  find_boxes(patch, geometry);
 }
 
 }  // namespace sectile

@@ -56,7 +56,7 @@ void load(Workspace& w, const SolidData& solid, const HalfSpace& h, std::uint32_
   const PlaneId plane = w.geometry.add_plane(PlaneCoefficients{-h.a, -h.b, -h.c, -h.d});
   w.patch[Operand::b] = half_space_patch(plane, {origin, 0});
   w.kernel = std::make_unique<Kernel>(w.geometry);
-  for (Patch& patch : w.patch) complete_patch(patch, w.geometry, *w.kernel);
+  complete_patches(w.patch, w.geometry, *w.kernel);
   for (const FaceId f : faces) pairs.push_back({loaded_face(w.patch[Operand::a], f), FaceId(0)});
 }
 

@@ -1,6 +1,6 @@
 #include "boolean/cleanup/cleanup.h"
 
-#include <algorithm>
+#include <cstdint>
 #include <optional>
 
 #include "geometry/kernel.h"
@@ -16,17 +16,14 @@ class Cleaner {
       : brep_(brep), geometry_(geometry), seams_(seams), euler_(brep_) {}
 
   void run() {
-    std::vector<VertexId> ends;
+    Table<VertexId, std::uint8_t> ends(brep_.vertex_count());
     for (const EdgeId e : seams_)
-      for (unsigned side = 0; side < 2; ++side)
-        ends.push_back(brep_.from(Brep::half_edge(e, side)));
+      for (unsigned side = 0; side < 2; ++side) ends[brep_.from(Brep::half_edge(e, side))] = 1;
     for (const EdgeId e : seams_)
       if (within_one_face(e)) remove(Brep::half_edge(e));
-    std::sort(gone_.begin(), gone_.end());
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    std::sort(gone_.begin(), gone_.end());
-    for (const VertexId v : ends) straighten(v);
+    for (const VertexId v : gone_) ends[v] = 0;
+    for (const VertexId v : ends.ids())
+      if (ends[v] != 0) straighten(v);
     euler_.bury();
   }
 
@@ -81,7 +78,6 @@ class Cleaner {
   }
 
   void straighten(VertexId v) {
-    if (std::binary_search(gone_.begin(), gone_.end(), v)) return;
     const HalfEdgeId h = brep_.vertex_half_edge[v], g = brep_.around(h);
     if (g == h || brep_.around(g) != h) return;
     if (brep_.to(h) == brep_.to(g)) return;
@@ -102,7 +98,7 @@ class Cleaner {
   const std::vector<EdgeId>& seams_;
   Euler euler_;
   std::optional<Kernel> kernel_;
-  std::vector<VertexId> gone_;  // sorted when all edges that may go have gone
+  std::vector<VertexId> gone_;
 };
 
 }  // namespace

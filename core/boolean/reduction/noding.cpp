@@ -1,6 +1,8 @@
 // Operands may touch themselves where their structure does not say so: an edge that lies on a face,
 // or on a part of another edge. All entities through a contact place must end their segments there.
 #include <algorithm>
+#include <span>
+#include <vector>
 
 #include "boolean/collect.h"
 #include "boolean/line.h"
@@ -21,18 +23,32 @@ class Noding {
     tree_ = BoxTree(boxes);
   }
 
-  void split(const SegmentRecord& record, std::vector<SegmentRecord>& out) const {
-    std::vector<PlaceId> inside = places_inside(record);
-    if (inside.empty()) {
-      out.push_back(record);
-      return;
+  // Some records that follow each other, and so are near each other, as a rule.
+  void split(std::span<const SegmentRecord> records, std::vector<SegmentRecord>& out) const {
+    const std::vector<PlaceInside> inside = places_inside(records);
+    auto from = inside.begin();
+    for (std::uint32_t i = 0; i < records.size(); ++i) {
+      const auto to =
+          std::find_if(from, inside.end(), [&](const PlaceInside& p) { return p.record != i; });
+      split(records[i], {from, to}, out);
+      from = to;
     }
+  }
+
+ private:
+  struct PlaceInside {
+    std::uint32_t record;
+    PlaceId place;
+  };
+
+  void split(const SegmentRecord& record, std::span<const PlaceInside> inside,
+             std::vector<SegmentRecord>& out) const {
     PlaceId from = record.place[0];
     PerOperand<Entity> start{record.end[Operand::a][0], record.end[Operand::b][0]};
-    inside.push_back(record.place[1]);
-    for (const PlaceId to : inside) {
+    for (std::size_t i = 0; i <= inside.size(); ++i) {
       SegmentRecord piece = record;
-      const bool last = to == record.place[1];
+      const bool last = i == inside.size();
+      const PlaceId to = last ? record.place[1] : inside[i].place;
       piece.place[0] = from;
       piece.place[1] = to;
       for (const Operand s : both_operands) {
@@ -49,7 +65,6 @@ class Noding {
     }
   }
 
- private:
   std::pair<PlaneId, PlaneId> line_of(const SegmentRecord& record) const {
     for (const Operand s : both_operands)
       if (record.on[s].is_edge())
@@ -58,34 +73,43 @@ class Noding {
             w_.patch[Operand::b].plane(record.on[Operand::b].face())};
   }
 
-  // Those strictly between the two ends, in order.
-  std::vector<PlaceId> places_inside(const SegmentRecord& record) const {
-    const PointId p = found_.point(record.place[0]), q = found_.point(record.place[1]);
-    Bounds bounds;
-    bounds.add(w_.geometry.position(p));
-    bounds.add(w_.geometry.position(q));
-    const Box box = bounds.box();
+  // Those strictly between the ends of each record, in order.
+  std::vector<PlaceInside> places_inside(std::span<const SegmentRecord> records) const {
+    std::vector<Box> boxes;
+    boxes.reserve(records.size());
+    for (const SegmentRecord& r : records) {
+      Bounds bounds;
+      for (const PlaceId place : r.place) bounds.add(w_.geometry.position(found_.point(place)));
+      boxes.push_back(bounds.box());
+    }
+    std::vector<PlaceInside> inside;
+    BoxTree::overlaps(BoxTree(boxes, {}, true), tree_, [&](std::uint32_t i, std::uint32_t item) {
+      if (is_inside(records[i], PlaceId(item))) inside.push_back({i, PlaceId(item)});
+    });
+    if (inside.empty()) return inside;
+    std::sort(inside.begin(), inside.end(), [&](const PlaceInside& p, const PlaceInside& q) {
+      return p.record != q.record ? p.record < q.record
+                                  : precedes(records[p.record], p.place, q.place);
+    });
+    return inside;
+  }
+
+  bool is_inside(const SegmentRecord& record, PlaceId place) const {
+    if (place == record.place[0] || place == record.place[1]) return false;
     const auto [a, b] = line_of(record);
-    std::vector<PlaceId> found;
-    tree_.query([&](const Box& place) { return place.overlaps(box); },
-                [&, a = a, b = b](std::uint32_t item) {
-                  const PlaceId place{item};
-                  if (place == record.place[0] || place == record.place[1]) return;
-                  const PointId x = found_.point(place);
-                  if (kernel_.side(x, a) == Sign::zero && kernel_.side(x, b) == Sign::zero)
-                    found.push_back(place);
-                });
-    if (found.empty()) return found;
+    const PointId x = found_.point(place);
+    return kernel_.side(x, a) == Sign::zero && kernel_.side(x, b) == Sign::zero &&
+           precedes(record, record.place[0], place) && precedes(record, place, record.place[1]);
+  }
+
+  // Of two places on the line of a record: in the direction from its first to its second one.
+  bool precedes(const SegmentRecord& record, PlaceId first, PlaceId second) const {
+    const auto [a, b] = line_of(record);
     const int axis = kernel_.cross_axis(a, b);
-    const Sign along = kernel_.compare(p, q, axis);
-    std::erase_if(found, [&](PlaceId place) {
-      return kernel_.compare(p, found_.point(place), axis) != along ||
-             kernel_.compare(found_.point(place), q, axis) != along;
-    });
-    std::sort(found.begin(), found.end(), [&](PlaceId i, PlaceId j) {
-      return kernel_.compare(found_.point(i), found_.point(j), axis) == along;
-    });
-    return found;
+    const auto compare = [&](PlaceId p, PlaceId q) {
+      return kernel_.compare(found_.point(p), found_.point(q), axis);
+    };
+    return compare(first, second) == compare(record.place[0], record.place[1]);
   }
 
   const Workspace& w_;
@@ -99,10 +123,13 @@ class Noding {
 void split_at_places(const Workspace& w, Contacts& found) {
   const Noding noding(w, found);
   using Records = std::vector<SegmentRecord>;
+  const std::span<const SegmentRecord> all = found.segments;
   Records pieces;
-  for (const Records& r :
-       collect<Records>(w, found.segments.size(), 128,
-                        [&](std::size_t i, Records&out) { noding.split(found.segments[i], out); }))
+  pieces.reserve(all.size());
+  for (const Records& r : collect_ranges<Records>(
+           w, all.size(), 128, [&](std::size_t first, std::size_t last, Records&out) {
+             noding.split(all.subspan(first, last - first), out);
+           }))
     append(pieces, r);
   found.segments = std::move(pieces);
 }
