@@ -42,7 +42,7 @@ class IdMap {
   }
 
  private:
-  static constexpr std::size_t few_ids = 256;
+  static constexpr std::size_t few_ids = 4096;
   struct Slot {
     std::uint32_t key, value;
   };
