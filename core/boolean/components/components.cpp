@@ -26,8 +26,7 @@ class Labelling {
         patch_(w.patch[operand]),
         brep_(patch_.brep),
         loaded_(labels.loaded[operand]),
-        rest_(labels.rest[operand]),
-        open_ends_(64) {}
+        rest_(labels.rest[operand]) {}
 
   // Changes nothing but the labels of its operand.
   void spread_from_segments(const Neighborhoods& neighborhoods, const JoinedCuts& joined) {
@@ -70,9 +69,11 @@ class Labelling {
   }
 
   void find_open_ends() {
-    for (const HalfEdgeId here : patch_.half_edge_in_solid.ids())
-      if (const HalfEdgeId h = patch_.half_edge_in_solid[here]; h.valid())
-        open_ends_[h.value()] = here.value();
+    const Table<HalfEdgeId, HalfEdgeId>& in_solid = patch_.half_edge_in_solid;
+    open_ends_.emplace(static_cast<std::size_t>(
+        std::ranges::count_if(in_solid, [](HalfEdgeId h) { return h.valid(); })));
+    for (const HalfEdgeId here : in_solid.ids())
+      if (in_solid[here].valid()) (*open_ends_)[in_solid[here].value()] = here.value();
   }
 
   // True if the label is new.
@@ -199,7 +200,7 @@ class Labelling {
 
   // The loaded face across a half-edge of a face that is not loaded.
   FaceId loaded_beyond(std::uint32_t s, HalfEdgeId h) {
-    const HalfEdgeId open_end(open_ends_[solid().half_edge(s, h).value()]);
+    const HalfEdgeId open_end((*open_ends_)[solid().half_edge(s, h).value()]);
     return brep_.face_of(Brep::twin(open_end));
   }
 
@@ -276,7 +277,7 @@ class Labelling {
   const Brep& brep_;
   Table<FaceId, std::uint8_t>& loaded_;
   RestLabels& rest_;
-  IdMap open_ends_;
+  std::optional<IdMap> open_ends_;   // if not all of the operand is loaded
   std::vector<std::uint32_t> near_;  // the slots that are not far
   std::vector<Pending> front_;       // from where labels may spread further
   std::vector<FaceId> faces_;        // the same, within one block

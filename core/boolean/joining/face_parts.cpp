@@ -23,6 +23,7 @@ class PartSettler {
       : w_(w), kernel_(w.tests()), patch_(w.patch[operand]), brep_(patch_.brep) {}
 
   void settle(FaceId root, std::span<const FaceId> faces) {
+    if (!w_.options.validate && keep_one_loop_each(faces)) return;
     root_ = root;
     find_loops(faces);
     // The face of a half-space has a part without an outer loop, which reaches to infinity.
@@ -42,6 +43,31 @@ class PartSettler {
   }
 
  private:
+  // As a rule no part has an inner loop. There are as many parts as outer loops, so if each has one
+  // loop, these are all of them: nothing but loops that joining has used up has to go.
+  bool keep_one_loop_each(std::span<const FaceId> faces) {
+    if (patch_.unbounded) return false;
+    for (const FaceId f : faces)
+      if (!only_loop(f).valid()) return false;
+    for (const FaceId f : faces) {
+      const LoopId l = only_loop(f);
+      brep_.outer_loop[f] = l;
+      brep_.next_loop[l] = LoopId();
+    }
+    return true;
+  }
+
+  // The one with half-edges, or none if there are several.
+  LoopId only_loop(FaceId f) const {
+    LoopId only;
+    for (LoopId l = brep_.outer_loop[f]; l.valid(); l = brep_.next_loop[l]) {
+      if (!brep_.loop_half_edge[l].valid()) continue;
+      if (only.valid()) return {};
+      only = l;
+    }
+    return only;
+  }
+
   void find_loops(std::span<const FaceId> faces) {
     outer_.clear();
     inner_.clear();
