@@ -3,6 +3,7 @@
 
 #include "boolean/boolean.h"
 #include "boolean/collect.h"
+#include "boolean/equal_planes.h"
 #include "storage/near_faces.h"
 
 namespace sectile {
@@ -311,11 +312,12 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
   hubs.mark_faces(of_a, of_b);
   load_patches(w, a, of_a.marked(), b, of_b.marked());
   w.kernel = std::make_unique<Kernel>(w.geometry);
-  complete_patches(w.patch, w.geometry, *w.kernel);
   for (auto& [f, g] : pairs) {
     f = of_a.loaded_face(w.patch[Operand::a], f);
     g = of_b.loaded_face(w.patch[Operand::b], g);
   }
+  unite_equal_planes(w, pairs);
+  complete_patches(w.patch, w.geometry, *w.kernel);
   hubs.add_pairs_of_owners(w, pairs);
   sort(pairs, w.patch[Operand::a].loaded_faces);
 }

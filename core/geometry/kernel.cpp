@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/same_definition.h"
 #include "numbers/rounding.h"
 #include "parallel/parallel.h"
 
@@ -172,14 +173,6 @@ Sign Kernel::side(PointId point, PlaneId plane) const {
 }
 
 namespace {
-
-// Are these given points one for a reason that needs no arithmetic?
-bool clearly_same(const Geometry& geometry, PointId p, PointId q) {
-  if (p == q) return true;
-  if (geometry.is_explicit(p))
-    return geometry.is_explicit(q) && geometry.position(p) == geometry.position(q);
-  return geometry.is_moved(q) && geometry.moved_point_of(p) == geometry.moved_point_of(q);
-}
 
 // Is this one of the points through which the plane is laid?
 bool defines(const Geometry& geometry, PointId p, const PlaneDefinition& plane) {

@@ -30,8 +30,8 @@ std::vector<std::uint32_t> bucket_sort(std::vector<T>& elements, std::size_t buc
       if (begin[b + 1] - begin[b] > 1)
         std::sort(sorted.begin() + begin[b], sorted.begin() + begin[b + 1], less);
   };
-  constexpr std::size_t chunk = 2048;
-  if (buckets <= chunk)
+  constexpr std::size_t chunk = 2048, parallel_from = 8192;
+  if (elements.size() < parallel_from)
     sort_some(0, buckets);
   else
     parallel::loop(0, (buckets + chunk - 1) / chunk, [&](std::size_t i) {
