@@ -1,6 +1,7 @@
 #include "boolean/equal_planes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -14,6 +15,12 @@ namespace {
 
 auto doubles(const PlaneValue& s) {
   return std::tie(s.n[0], s.n[1], s.n[2], s.d);
+}
+
+// Beyond the doubles nothing can be sorted: such planes stay as they are.
+bool is_finite(const PlaneValue& s) {
+  return std::isfinite(s.n[0]) && std::isfinite(s.n[1]) && std::isfinite(s.n[2]) &&
+         std::isfinite(s.d);
 }
 
 bool are_equal(const Workspace& w, PlaneId p, PlaneId q) {
@@ -40,7 +47,8 @@ Table<PlaneId, PlaneId> first_equal_planes(const Workspace& w) {
   std::vector<PlaneId> order;
   for (const PlaneId s : first.ids()) {
     first[s] = s;
-    if (!w.tests().value(s).exact) order.push_back(s);
+    if (const PlaneValue& value = w.tests().value(s); !value.exact && is_finite(value))
+      order.push_back(s);
   }
   large_sort(order, [&](PlaneId p, PlaneId q) {
     const auto u = doubles(w.tests().value(p)), v = doubles(w.tests().value(q));

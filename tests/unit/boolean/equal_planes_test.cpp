@@ -85,5 +85,30 @@ TEST(EqualPlanes, ImagesUnderOneMapHaveThemInCommonToo) {
   EXPECT_EQ(boolean(result, tool, Operation::intersect), tool);
 }
 
+// Their coefficients are no doubles, not even infinite ones.
+TEST(EqualPlanes, ThoseOfSolidsAtTheEndOfTheDoublesStayAsTheyAre) {
+  const double large = 0x1p600;
+  const Transform enlarge = Transform::scaling({large, large, large});
+  const Solid tool = Solid::from_mesh(transformed(slanted_tool(0.9).to_mesh(), enlarge));
+  const Solid beside = Solid::from_mesh(transformed(slanted_tool(0.8).to_mesh(), enlarge));
+  const Solid result = boolean(
+      boolean(block({-large, -large, -large}, {large, large, large}), tool, Operation::unite),
+      beside, Operation::unite);
+  EXPECT_EQ(common_planes(Phases(result, tool, Operation::intersect).w), 0u);
+  EXPECT_EQ(boolean(result, tool, Operation::intersect), tool);
+}
+
+TEST(EqualPlanes, SmallOnesBesideThoseAreFoundAllTheSame) {
+  const PolygonMesh corner = block({0, 0, 0}, {1, 1, 1}).to_mesh();
+  const Solid endless =
+      Solid::from_mesh(transformed(corner, Transform::scaling({0x1p600, 0x1p600, 0x1p600}) *
+                                               Transform::rotation_degrees({1, 2, 3}, 25)));
+  const Solid tool = slanted_tool(0.2);
+  const Solid result = boolean(endless, tool, Operation::unite);
+  EXPECT_GT(common_planes(Phases(result, tool, Operation::intersect).w), 0u);
+  EXPECT_EQ(boolean(result, tool, Operation::intersect), tool);
+  EXPECT_EQ(boolean(boolean(result, tool, Operation::subtract), tool, Operation::unite), result);
+}
+
 }  // namespace
 }  // namespace sectile
