@@ -1,9 +1,9 @@
 #include "boolean/equal_planes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "boolean/collect.h"
@@ -13,19 +13,8 @@
 namespace sectile {
 namespace {
 
-auto doubles(const PlaneValue& s) {
-  return std::tie(s.n[0], s.n[1], s.n[2], s.d);
-}
-
-// Beyond the doubles nothing can be sorted: such planes stay as they are.
-bool is_finite(const PlaneValue& s) {
-  return std::isfinite(s.n[0]) && std::isfinite(s.n[1]) && std::isfinite(s.n[2]) &&
-         std::isfinite(s.d);
-}
-
 bool are_equal(const Workspace& w, PlaneId p, PlaneId q) {
-  const PlaneValue &u = w.tests().value(p), &v = w.tests().value(q);
-  return p != q && !u.exact && doubles(u) == doubles(v) &&
+  return p != q && !w.tests().value(p).exact &&
          have_same_points(w.geometry, w.geometry.definition(p), w.geometry.definition(q));
 }
 
@@ -39,33 +28,37 @@ bool operands_share_planes(const Workspace& w, const FacePairs& pairs) {
   return std::ranges::find(found, 1) != found.end();
 }
 
+// A plane with its coefficients in doubles, which are equal where definitions are. Those that are
+// beyond the doubles are left to their definitions.
+struct Keyed {
+  std::array<double, 4> doubles;
+  PlaneId plane;
+};
+
+Keyed keyed(const Workspace& w, PlaneId plane) {
+  const PlaneValue& s = w.tests().value(plane);
+  const std::array<double, 4> doubles{s.n[0], s.n[1], s.n[2], s.d};
+  const bool finite = std::ranges::all_of(doubles, [](double x) { return std::isfinite(x); });
+  return {finite ? doubles : std::array<double, 4>{}, plane};
+}
+
 // Per plane: the first one that is equal to it.
 Table<PlaneId, PlaneId> first_equal_planes(const Workspace& w) {
-  // So many different definitions with equal doubles are told apart; more stay as they are.
-  constexpr std::size_t most_definitions = 4;
   Table<PlaneId, PlaneId> first(w.geometry.planes.size());
-  std::vector<PlaneId> order;
+  std::vector<Keyed> order;
   for (const PlaneId s : first.ids()) {
     first[s] = s;
-    if (const PlaneValue& value = w.tests().value(s); !value.exact && is_finite(value))
-      order.push_back(s);
+    if (!w.tests().value(s).exact) order.push_back(keyed(w, s));
   }
-  large_sort(order, [&](PlaneId p, PlaneId q) {
-    const auto u = doubles(w.tests().value(p)), v = doubles(w.tests().value(q));
-    return u != v ? u < v : p < q;
+  large_sort(order, [&](const Keyed& p, const Keyed& q) {
+    if (p.doubles != q.doubles) return p.doubles < q.doubles;
+    const PlaneDefinition &u = w.geometry.definition(p.plane), &v = w.geometry.definition(q.plane);
+    if (is_defined_before(w.geometry, u, v)) return true;
+    return !is_defined_before(w.geometry, v, u) && p.plane < q.plane;
   });
-  std::vector<PlaneId> different;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const PlaneId s = order[i];
-    if (i == 0 || doubles(w.tests().value(s)) != doubles(w.tests().value(order[i - 1])))
-      different.clear();
-    const auto known =
-        std::ranges::find_if(different, [&](PlaneId p) { return are_equal(w, p, s); });
-    if (known != different.end())
-      first[s] = *known;
-    else if (different.size() < most_definitions)
-      different.push_back(s);
-  }
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (are_equal(w, order[i - 1].plane, order[i].plane))
+      first[order[i].plane] = first[order[i - 1].plane];
   return first;
 }
 

@@ -75,9 +75,9 @@ PointId load_point(const Geometry& from, PointId point, Geometry& to);
 /// The boundary of a half-space: one face without boundary. The normal points out of it.
 Patch half_space_patch(PlaneId plane, FaceSource source);
 
+class Kernel;
 /// Fills root, flat, side_plane, boxes and trees of both; needs the kernel for the workspace's
 /// geometry, which may be given further planes.
-class Kernel;
 void complete_patches(PerOperand<Patch>& patches, Geometry& geometry, Kernel& kernel);
 
 }  // namespace sectile

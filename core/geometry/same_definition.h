@@ -1,6 +1,8 @@
 // Points and planes that are the same for a reason that needs no arithmetic.
 #pragma once
 
+#include <tuple>
+
 #include "geometry/geometry.h"
 
 namespace sectile {
@@ -22,6 +24,26 @@ inline bool have_same_points(const Geometry& geometry, const PlaneDefinition& p,
   };
   if (!same(p.a, q.a) || !same(p.b, q.b)) return false;
   return p.kind() == PlaneDefinition::Kind::three_points ? same(p.c, q.c) : p.c == q.c;
+}
+
+/// An order of definitions in which those with the same points follow each other.
+inline bool is_defined_before(const Geometry& geometry, const PlaneDefinition& p,
+                              const PlaneDefinition& q) {
+  if (p.kind() != q.kind() || !p.has_points())
+    return std::tuple(p.kind(), p.a) < std::tuple(q.kind(), q.a);
+  const auto content = [&](std::uint32_t i) {
+    const PointId point(i);
+    const auto [x, y, z] = geometry.position(point);
+    if (!geometry.is_moved(point)) return std::tuple(x, y, z, 0u, 0.0, 0.0, 0.0);
+    const MovedPoint& how = geometry.moved_point_of(point);
+    return std::tuple(x, y, z, how.frame + 1, how.local.x, how.local.y, how.local.z);
+  };
+  if (p.a != q.a)
+    if (const auto u = content(p.a), v = content(q.a); u != v) return u < v;
+  if (p.b != q.b)
+    if (const auto u = content(p.b), v = content(q.b); u != v) return u < v;
+  if (p.kind() != PlaneDefinition::Kind::three_points) return p.c < q.c;
+  return p.c != q.c && content(p.c) < content(q.c);
 }
 
 }  // namespace sectile

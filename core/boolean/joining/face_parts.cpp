@@ -23,8 +23,8 @@ class PartSettler {
       : w_(w), kernel_(w.tests()), patch_(w.patch[operand]), brep_(patch_.brep) {}
 
   void settle(FaceId root, std::span<const FaceId> faces) {
-    if (!w_.options.validate && keep_one_loop_each(faces)) return;
     root_ = root;
+    if (keep_one_loop_each(faces)) return;
     find_loops(faces);
     // The face of a half-space has a part without an outer loop, which reaches to infinity.
     if (outer_.size() + (patch_.unbounded ? 1 : 0) != faces.size())
@@ -43,12 +43,11 @@ class PartSettler {
   }
 
  private:
-  // As a rule no part has an inner loop. There are as many parts as outer loops, so if each has one
-  // loop, these are all of them: nothing but loops that joining has used up has to go.
+  // As a rule each part has an outer loop and nothing else, but for loops that joining has used up.
   bool keep_one_loop_each(std::span<const FaceId> faces) {
     if (patch_.unbounded) return false;
     for (const FaceId f : faces)
-      if (!only_loop(f).valid()) return false;
+      if (const LoopId l = only_loop(f); !l.valid() || !turns_left(l)) return false;
     for (const FaceId f : faces) {
       const LoopId l = only_loop(f);
       brep_.outer_loop[f] = l;
