@@ -158,7 +158,7 @@ class CommonHubs {
         Fan& mine = fan[h.solid];
         for (const FaceId f : faces) mine.faces.push_back(data_[h.solid]->face(h.slot, f));
         append(mine.directions,
-               direction_boxes(block(h).brep, block(h).geometry(), point(h), faces));
+               direction_boxes(block(h).brep(), block(h).geometry(), point(h), faces));
       }
       if (!fan[Operand::a].faces.empty() && !fan[Operand::b].faces.empty())
         visit(fan[Operand::a], fan[Operand::b], position(order_[from]));

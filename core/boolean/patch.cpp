@@ -59,7 +59,7 @@ class PartLoader {
 
   PlaneId face_plane(const Source& from) {
     const Slot& slot = solid_.slot(from.slot);
-    return geometry(from.slot).plane(slot.block->brep.plane_of(from.h), slot.turned);
+    return geometry(from.slot).plane(slot.block->brep().plane_of(from.h), slot.turned);
   }
 
   // The loaded half-edge; an edge between two blocks goes by the smaller number of its half-edges.
@@ -89,7 +89,7 @@ class PartLoader {
   }
 
   void keep_edge_plane(const Source& from, EdgeId made) {
-    const PlaneId plane = solid_.slot(from.slot).block->brep.extra_plane(Brep::edge_of(from.h));
+    const PlaneId plane = solid_.slot(from.slot).block->brep().extra_plane(Brep::edge_of(from.h));
     if (!plane.valid()) return;
     Table<EdgeId, PlaneId>& planes = patch_.brep.edge_plane;
     planes.resize(made.value() + std::size_t(1));
@@ -115,7 +115,7 @@ class PartLoader {
   void load_face(FaceId f) {
     const std::uint32_t slot = solid_.slot_of(f);
     const Slot& from = solid_.slot(slot);
-    const Brep& brep = from.block->brep;
+    const Brep& brep = from.block->brep();
     const FaceId there = solid_.local(slot, f);
     const FaceId mine =
         add_face(geometry(slot).plane(brep.plane[there], from.turned), brep.source[there]);
@@ -168,7 +168,7 @@ class PartLoader {
       const Slot& slot = solid_.slot(from.slot);
       const VertexId there = slot.from(from.h);
       patch_.vertex_in_solid.push_back(VertexId(solid_.base(from.slot) + there.value()));
-      to.point.add(geometry(from.slot).point(slot.block->brep.point_of(there)));
+      to.point.add(geometry(from.slot).point(slot.block->brep().point_of(there)));
       to.vertex_half_edge.add(first);
       HalfEdgeId h = first;
       do {

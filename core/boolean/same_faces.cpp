@@ -65,7 +65,7 @@ class Faces {
 
  private:
   void load(const Placed& placed, Geometry& geometry) {
-    const Brep& brep = placed.block->brep;
+    const Brep& brep = placed.block->brep();
     GeometryLoader loader(placed.block->geometry(), geometry, brep.vertex_count());
     for (const FaceId f : brep.faces()) {
       for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l]) {

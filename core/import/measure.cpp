@@ -16,7 +16,7 @@ std::optional<double> certain(const Bounded& value, double divisor) {
 }
 
 bool has_faces(const Slot& slot) {
-  return !slot.empty() && slot.block->brep.face_count() > 0;
+  return !slot.empty() && slot.block->face_count() > 0;
 }
 
 // What the blocks know is found on all cores, and then summed in the order of the slots.

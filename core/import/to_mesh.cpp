@@ -147,9 +147,10 @@ PolygonMesh mesh_of(const SolidData& data, BlockTriangles triangles,
     const auto s = static_cast<std::uint32_t>(i);
     if (data.slot(s).empty()) return;
     const Block& block = *data.slot(s).block;
-    for (const VertexId v : block.brep.vertices())
+    for (const VertexId v : block.brep().vertices())
       if (triangles.owns(s, v))
-        mesh.positions[triangles.vertex(s, v)] = block.geometry().position(block.brep.point_of(v));
+        mesh.positions[triangles.vertex(s, v)] =
+            block.geometry().position(block.brep().point_of(v));
   });
   mesh.indices = std::move(triangles.indices);
   sources = std::move(triangles.source);

@@ -11,11 +11,13 @@ namespace sectile {
 /// As std::once_flag, which makes a system call even where nobody waits: a Boolean has hundreds.
 class OnceFlag {
  public:
+  bool done() const { return state_.load(std::memory_order_acquire) == State::done; }
+
   /// Runs the body, unless another call has done so; waits while another call does. If the body
   /// throws, the next call runs it.
   template <class Body>
   void run(const Body& body) {
-    if (state_.load(std::memory_order_acquire) == State::done) return;
+    if (done()) return;
     for (;;) {
       State now = State::open;
       if (state_.compare_exchange_strong(now, State::running, std::memory_order_acquire)) break;

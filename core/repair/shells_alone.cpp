@@ -93,7 +93,7 @@ class ShellUniter {
     std::vector<Slot> mine;
     for (const Slot& slot : slots) {
       mine.push_back(slot);
-      faces += slot.block->brep.face_count();
+      faces += slot.block->face_count();
       if (faces < size[shell]) continue;
       solids.emplace_back(std::make_shared<SolidData>(std::move(mine), touches));
       mine.clear();
@@ -118,7 +118,7 @@ std::vector<std::uint32_t> unused_faces(const SolidData& data,
   std::vector<std::uint8_t> used;
   for (const Slot& slot : data.slots())
     if (!slot.empty())
-      for (const FaceSource& from : slot.block->brep.source) {
+      for (const FaceSource& from : slot.block->brep().source) {
         if (from.face >= used.size()) used.resize(from.face + 1, 0);
         used[from.face] = 1;
       }

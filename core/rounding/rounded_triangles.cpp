@@ -63,7 +63,7 @@ void RoundedTriangles::round(const SolidData& data, const RoundingGrid& grid) {
   parallel::loop(0, slots.size(), [&](std::size_t i) {
     const auto s = static_cast<std::uint32_t>(i);
     if (slots[s].empty()) return;
-    const Brep& brep = slots[s].block->brep;
+    const Brep& brep = slots[s].block->brep();
     const Geometry& g = slots[s].block->geometry();
     Bounds bounds;
     for (const VertexId v : brep.vertices()) {

@@ -57,6 +57,21 @@ constexpr std::array<std::array<Step, 8>, 24> make_steps() {
 }
 inline constexpr std::array<std::array<Step, 8>, 24> steps = make_steps();
 
+/// Two steps at a time: octants of octants.
+constexpr std::array<std::array<Step, 64>, 24> make_double_steps() {
+  std::array<std::array<Step, 64>, 24> made{};
+  for (unsigned state = 0; state < 24; ++state)
+    for (unsigned octants = 0; octants < 64; ++octants) {
+      const Step first = steps[state][octants / 8], second = steps[first.state][octants % 8];
+      made[state][octants] = {static_cast<std::uint8_t>(first.place * 8 + second.place),
+                              second.state};
+    }
+  return made;
+}
+inline constexpr std::array<std::array<Step, 64>, 24> double_steps = make_double_steps();
+/// Two bits, with room for those of two more axes.
+inline constexpr std::uint8_t spread[] = {0, 1, 8, 9};
+
 }  // namespace hilbert
 
 /// The place of a point, or of a box's centre, in a grid of 1024³ cells.
@@ -83,10 +98,13 @@ class HilbertCurve {
   /// Of a cell of the grid.
   static std::uint32_t place_of_cell(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     std::uint32_t place = 0, state = 0;
-    for (int bit = 9; bit >= 0; --bit) {
-      const std::uint32_t octant = (x >> bit & 1u) | (y >> bit & 1u) << 1 | (z >> bit & 1u) << 2;
-      const hilbert::Step step = hilbert::steps[state][octant];
-      place = place << 3 | step.place;
+    for (int bit = 8; bit >= 0; bit -= 2) {
+      const auto two_of = [bit](std::uint32_t at) -> std::uint32_t {
+        return hilbert::spread[at >> bit & 3u];
+      };
+      const std::uint32_t octants = two_of(x) | two_of(y) << 1 | two_of(z) << 2;
+      const hilbert::Step step = hilbert::double_steps[state][octants];
+      place = place << 6 | step.place;
       state = step.state;
     }
     return place;

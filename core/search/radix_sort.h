@@ -5,7 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
+
+#include "parallel/parallel.h"
 
 namespace sectile {
 
@@ -18,17 +21,27 @@ inline void sort_by_upper_half(std::vector<std::uint64_t>& keys, unsigned bits) 
                      [](std::uint64_t a, std::uint64_t b) { return a >> 32 < b >> 32; });
     return;
   }
+  // Each part counts, and then moves, its own keys.
+  const std::size_t parts = std::clamp<std::size_t>(keys.size() >> 15, 1, 16);
+  std::vector<std::array<std::uint32_t, buckets>> at(parts);
   std::vector<std::uint64_t> other(keys.size());
+  const auto for_each_key = [&](std::size_t part, unsigned shift, const auto& visit) {
+    const std::size_t end = keys.size() * (part + 1) / parts;
+    for (std::size_t i = keys.size() * part / parts; i < end; ++i)
+      visit(keys[i], at[part][(keys[i] >> shift) % buckets]);
+  };
   for (unsigned shift = 32; shift < 32 + bits; shift += digit) {
-    std::array<std::uint32_t, buckets> at{};
-    for (const std::uint64_t key : keys) ++at[(key >> shift) % buckets];
+    parallel::loop(0, parts, [&](std::size_t p) {
+      at[p].fill(0);
+      for_each_key(p, shift, [](std::uint64_t, std::uint32_t& count) { ++count; });
+    });
     std::uint32_t end = 0;
-    for (std::uint32_t& n : at) {
-      const std::uint32_t count = n;
-      n = end;
-      end += count;
-    }
-    for (const std::uint64_t key : keys) other[at[(key >> shift) % buckets]++] = key;
+    for (unsigned bucket = 0; bucket < buckets; ++bucket)
+      for (auto& of_part : at) end += std::exchange(of_part[bucket], end);
+    parallel::loop(0, parts, [&](std::size_t p) {
+      for_each_key(p, shift,
+                   [&](std::uint64_t key, std::uint32_t& place) { other[place++] = key; });
+    });
     keys.swap(other);
   }
 }

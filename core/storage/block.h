@@ -17,36 +17,46 @@
 #include "search/face_tree.h"
 #include "search/oriented_box.h"
 #include "storage/block_measure.h"
+#include "storage/compact_triangles.h"
+#include "storage/pieces.h"
 #include "topology/brep.h"
 
 namespace sectile {
 
-/// The faces of a block that hang together over its edges.
-struct Pieces {
-  std::vector<std::uint32_t> of_face;
-  std::uint32_t count = 0;
-};
-
 class Block {
-  std::shared_ptr<Brep> shared_brep_;
-
  public:
-  Block() : shared_brep_(std::make_shared<Brep>()), brep(*shared_brep_) {}
+  /// To be filled through brep() and geometry() before anyone else sees it.
+  Block();
+  /// Its structure and geometry are made when they are first asked for. No two vertices may be at
+  /// one point, also beyond the block.
+  explicit Block(CompactTriangles triangles);
   /// The image of a block: its faces, with other points and planes of the same numbers, which are
   /// made when they are first asked for.
   Block(std::shared_ptr<const Block> original, std::shared_ptr<const GeometryMover> mover);
   Block(const Block&) = delete;
   Block& operator=(const Block&) = delete;
 
-  Brep& brep;  ///< images share it with those from which they come
   std::uint32_t border_count = 0;
 
   /// Of a block that is being made.
+  Brep& brep() { return structure_->brep; }
+  const Brep& brep() const {
+    if (structure_->is_late && !structure_->once.done()) structure_->make();
+    return structure_->brep;
+  }
+  /// Of a block that is being made.
   Geometry& geometry() { return geometry_; }
   const Geometry& geometry() const {
-    if (is_image_) make_image();
+    if (is_late_ && !geometry_once_.done()) make_geometry();
     return geometry_;
   }
+
+  // Known without a structure.
+  bool has_structure() const { return !structure_->is_late || structure_->once.done(); }
+  std::size_t face_count() const;
+  std::size_t half_edge_count() const;
+  std::size_t loop_count() const;
+  std::size_t vertex_count() const;
 
   void set_touching_vertices(std::vector<VertexId> vertices);
 
@@ -56,6 +66,10 @@ class Block {
   // Found when first asked for, and then kept.
   const FaceTree& tree() const;
   const Pieces& pieces() const;
+  /// That of a half-edge's face.
+  std::uint32_t piece_at(HalfEdgeId h) const {
+    return pieces().count() == 1 ? 0 : pieces().of(brep().face_of(h));
+  }
   /// Where the solid touches itself, or did before it was cut: see topology/touching_vertices.h.
   const std::vector<VertexId>& touching_vertices() const;
   /// Of all corners; around an image more loosely.
@@ -67,17 +81,31 @@ class Block {
   const Bounded& two_areas() const;
 
  private:
-  void make_image() const;
+  // Images share it with those from which they come.
+  struct Structure {
+    Brep brep;
+    bool is_late = false;  // made of triangles, when it is first asked for
+    OnceFlag once;
+    std::shared_ptr<const CompactTriangles> triangles;  // until then
+    // Of what is late.
+    std::uint32_t faces = 0, half_edges = 0, vertices = 0;
+    OnceFlag pieces_once;
+    Pieces pieces;
 
+    void make();
+  };
+  void make_geometry() const;
+
+  std::shared_ptr<Structure> structure_;
   mutable Geometry geometry_;
-  bool is_image_ = false;
-  // Of an image, until its points are made.
+  bool is_late_ = false;
+  // Of what the geometry is made, until it is: of triangles, or as the image of another.
+  mutable std::shared_ptr<const CompactTriangles> triangles_;
   mutable std::shared_ptr<const Block> original_;
   mutable std::shared_ptr<const GeometryMover> mover_;
-  mutable OnceFlag image_once_, tree_once_, pieces_once_, touching_once_, bounds_once_,
-      oriented_once_, volume_once_, area_once_;
+  mutable OnceFlag geometry_once_, tree_once_, touching_once_, bounds_once_, oriented_once_,
+      volume_once_, area_once_;
   mutable std::unique_ptr<FaceTree> tree_;
-  mutable Pieces pieces_;
   mutable std::vector<VertexId> touching_vertices_;
   mutable Box bounds_;
   mutable std::unique_ptr<OrientedBox> oriented_bounds_;

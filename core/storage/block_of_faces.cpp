@@ -20,7 +20,7 @@ void BlockOfFaces::fill() {
 
 // In the order in which they are met.
 std::vector<VertexId> BlockOfFaces::number_vertices() {
-  Brep& to = block_->brep;
+  Brep& to = block_->brep();
   std::vector<VertexId> vertices;
   vertices.reserve(faces_.size());
   IdMap numbers(faces_.size(), brep_.vertex_count());
@@ -38,15 +38,15 @@ std::vector<VertexId> BlockOfFaces::number_vertices() {
 
 // Just as much as is needed, as a rule: most of a solid's memory is in its blocks.
 void BlockOfFaces::reserve(std::size_t vertices) {
-  block_->brep.reserve_faces(faces_.size());
-  block_->brep.point.reserve(vertices);
+  block_->brep().reserve_faces(faces_.size());
+  block_->brep().point.reserve(vertices);
   block_->geometry().positions.reserve(vertices);
   block_->geometry().construct.reserve(vertices);
   block_->geometry().planes.reserve(faces_.size());
 }
 
 void BlockOfFaces::add_faces(GeometryLoader& geometry) {
-  Brep& to = block_->brep;
+  Brep& to = block_->brep();
   for (const FaceId f : faces_) {
     const FaceId mine =
         to.add_face(geometry.plane(brep_.plane[f]), brep_.source[f], LoopId(to.loop_count()));
@@ -59,7 +59,7 @@ void BlockOfFaces::add_faces(GeometryLoader& geometry) {
 }
 
 void BlockOfFaces::add_loop(LoopId loop, LoopId made) {
-  Brep& to = block_->brep;
+  Brep& to = block_->brep();
   for_each_in_loop(brep_, loop, [&](HalfEdgeId h) {
     const HalfEdgeId here = local_[h.value()], after = local_[brep_.next_of(h).value()];
     to.next[here] = after;
@@ -69,7 +69,7 @@ void BlockOfFaces::add_loop(LoopId loop, LoopId made) {
 }
 
 void BlockOfFaces::add_vertices(const std::vector<VertexId>& vertices, GeometryLoader& geometry) {
-  Brep& to = block_->brep;
+  Brep& to = block_->brep();
   for (const VertexId v : vertices) to.point.add(geometry.point(brep_.point_of(v)));
   for (std::uint32_t e = 0; e < block_->border_count; ++e) {
     const HalfEdgeId h = Brep::half_edge(EdgeId(e));
@@ -79,7 +79,7 @@ void BlockOfFaces::add_vertices(const std::vector<VertexId>& vertices, GeometryL
 
 void BlockOfFaces::add_edge_planes(GeometryLoader& geometry) {
   if (brep_.edge_plane.empty()) return;
-  Brep& to = block_->brep;
+  Brep& to = block_->brep();
   for_each_half_edge([&](HalfEdgeId h) {
     const PlaneId plane = brep_.edge_plane[Brep::edge_of(h)];
     const HalfEdgeId here = local_[h.value()];

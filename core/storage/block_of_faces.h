@@ -35,7 +35,7 @@ class BlockOfFaces {
       local_[Brep::twin(h).value()] = HalfEdgeId(next + 1);
       next += 2;
     });
-    block_->brep.resize_half_edges(next);
+    block_->brep().resize_half_edges(next);
   }
   /// Of the structure, per border edge of the block.
   const std::vector<HalfEdgeId>& leaving() const { return leaving_; }

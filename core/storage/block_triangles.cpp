@@ -27,7 +27,7 @@ struct CutFaces {
 class FaceCutter {
  public:
   FaceCutter(const Slot& slot, CutFaces& result)
-      : slot_(slot), brep_(slot.block->brep), result_(result) {}
+      : slot_(slot), brep_(slot.block->brep()), result_(result) {}
 
   /// False if no triangles between all corners, and with no others, make up the face.
   bool run() {
@@ -134,7 +134,7 @@ class Collector {
     for (std::size_t s = 0; s < slots_.size(); ++s) {
       result_.first_triangle.push_back(triangles);
       if (slots_[s].empty()) continue;
-      const Brep& brep = slots_[s].block->brep;
+      const Brep& brep = slots_[s].block->brep();
       triangles += static_cast<std::uint32_t>(brep.face_count() - polygons_[s].face_end.size() +
                                               polygons_[s].triangles.size());
       for (std::uint32_t i = 0; i < polygons_[s].triangles.size(); ++i)
@@ -161,7 +161,7 @@ class Collector {
   // Triangles first, then what other faces were cut into.
   void write(std::uint32_t s) {
     const Slot& slot = slots_[s];
-    const Brep& brep = slot.block->brep;
+    const Brep& brep = slot.block->brep();
     std::uint32_t t = result_.first_triangle[s];
     const auto add = [&](const std::array<VertexId, 3>& corners, FaceSource source) {
       for (std::size_t k = 0; k < 3; ++k)

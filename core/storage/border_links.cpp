@@ -36,12 +36,11 @@ void BorderLinks::find_neighbours(const Block& block) const {
   std::vector<Entry> entries;
   entries.reserve(links_.size());
   for (std::uint32_t border = 0; border < links_.size(); ++border) {
-    const FaceId face = block.brep.face_of(Brep::half_edge(EdgeId(border)));
-    entries.emplace_back(pieces.of_face[face.value()], links_[border], border);
+    entries.emplace_back(block.piece_at(Brep::half_edge(EdgeId(border))), links_[border], border);
   }
   std::sort(entries.begin(), entries.end());
   by_neighbour_.reserve(entries.size());
-  first_.reserve(pieces.count + 1);
+  first_.reserve(pieces.count() + 1);
   for (std::uint32_t i = 0; i < entries.size(); ++i) {
     const Entry& e = entries[i];
     const BorderLink& link = links_[e.border()];
@@ -51,8 +50,8 @@ void BorderLinks::find_neighbours(const Block& block) const {
       neighbours_.push_back({link.slots, link.piece, i, i});
     ++neighbours_.back().last;
   }
-  first_.resize(pieces.count + 1, static_cast<std::uint32_t>(neighbours_.size()));
-  if (pieces.count == 1) first_ = {};
+  first_.resize(pieces.count() + 1, static_cast<std::uint32_t>(neighbours_.size()));
+  if (pieces.count() == 1) first_ = {};
 }
 
 }  // namespace sectile

@@ -152,8 +152,7 @@ class Cutter {
   BorderEdge border_edge(std::size_t g, HalfEdgeId h) const {
     const HalfEdgeId here = local_[h.value()];
     const Block& block = *blocks_[g].block();
-    return {part_.places(g), here.value() / 2,
-            block.pieces().of_face[block.brep.face_of(here).value()]};
+    return {part_.places(g), here.value() / 2, block.piece_at(here)};
   }
 
   void add_links(std::size_t g) {

@@ -45,7 +45,7 @@ class Writer {
     section("planes", g.planes, [&](const PlaneDefinition& p) { ids({p.a, p.b, p.c}); });
     begin("points", g.positions.size());
     for (std::uint32_t p = 0; p < g.positions.size(); ++p) point(g, PointId(p));
-    write(block.brep);
+    write(block.brep());
   }
 
  private:

@@ -45,7 +45,7 @@ class Joiner {
 
   void add_block(std::uint32_t s) {
     const Slot& slot = solid_.slot(s);
-    const Brep& from = slot.block->brep;
+    const Brep& from = slot.block->brep();
     const GeometryOffset offset = append_geometry(slot.block->geometry(), geometry_, slot.turned);
     for (const FaceId f : from.faces()) {
       const FaceId mine =
@@ -58,7 +58,7 @@ class Joiner {
 
   void add_loop(std::uint32_t s, LoopId l, FaceId face, const GeometryOffset& offset) {
     const Slot& slot = solid_.slot(s);
-    const Brep& from = slot.block->brep;
+    const Brep& from = slot.block->brep();
     const std::vector<HalfEdgeId>& ids = joined_[s];
     const LoopId next(brep_.loop_count() + 1);
     const LoopId mine = brep_.add_loop(face, ids[from.loop_half_edge[l].value()],
@@ -73,7 +73,7 @@ class Joiner {
   }
 
   void add_edge_planes(std::uint32_t s, const GeometryOffset& offset) {
-    const Brep& from = solid_.slot(s).block->brep;
+    const Brep& from = solid_.slot(s).block->brep();
     for (const EdgeId e : from.edge_plane.ids()) {
       if (!from.edge_plane[e].valid()) continue;
       if (brep_.edge_plane.empty()) brep_.edge_plane.resize(edges_);

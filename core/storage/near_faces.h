@@ -17,13 +17,13 @@ class SlabCache {
   void start(const Block& block) {
     if (block_ == &block) return;
     block_ = &block;
-    known_.assign(block.brep.face_count(), 0);
+    known_.assign(block.brep().face_count(), 0);
     slab_.resize(known_.size());
   }
   const FaceSlab& operator[](std::uint32_t face) {
     if (known_[face] == 0) {
       known_[face] = 1;
-      slab_[face] = face_slab(block_->brep, block_->geometry(), FaceId(face));
+      slab_[face] = face_slab(block_->brep(), block_->geometry(), FaceId(face));
     }
     return slab_[face];
   }
@@ -47,7 +47,7 @@ class HullCache {
     const std::size_t at = face % size;
     if (face_[at] != face) {
       face_[at] = face;
-      hull_[at] = face_hull(block_->brep, block_->geometry(), FaceId(face));
+      hull_[at] = face_hull(block_->brep(), block_->geometry(), FaceId(face));
     }
     return hull_[at];
   }
@@ -69,7 +69,7 @@ class NearFaces {
   void operator()(const Block& a, const Block& b, const Visit& visit, const Skip& skip) {
     slabs_[0].start(a);
     slabs_[1].start(b);
-    if (a.brep.face_count() * b.brep.face_count() <= few_pairs) {
+    if (a.brep().face_count() * b.brep().face_count() <= few_pairs) {
       BoxTree::overlaps(a.tree(), b.tree(), visit, skip, FacesApart{{}, slabs_});
       return;
     }
@@ -99,8 +99,8 @@ class NearFaces {
         : FacesApart{{}, caches},
           a_(a.tree()),
           b_(b.tree()),
-          oriented_a_(a_.oriented(a.brep, a.geometry())),
-          oriented_b_(b_.oriented(b.brep, b.geometry())) {}
+          oriented_a_(a_.oriented(a.brep(), a.geometry())),
+          oriented_b_(b_.oriented(b.brep(), b.geometry())) {}
 
     bool nodes(BoxTree::Node p, BoxTree::Node q) const {
       if (oriented_a_ && oriented_b_) return apart((*oriented_a_)[p], (*oriented_b_)[q]);

@@ -21,7 +21,7 @@ SolidData::SolidData(std::vector<Slot> slots, bool touches_itself)
 void SolidData::cut() {
   if (brep().face_count() > most_faces_of_a_block) {
     may_touch_itself_ = touches_itself();
-    slots_ = cut_into_blocks({making_->brep, making_->geometry(), {}, Places{}}).slots;
+    slots_ = cut_into_blocks({making_->brep(), making_->geometry(), {}, Places{}}).slots;
   }
   making_.reset();
   number_pages();
@@ -30,9 +30,9 @@ void SolidData::cut() {
 namespace {
 
 void count_elements(Slot& slot) {
-  slot.faces = static_cast<std::uint32_t>(slot.block->brep.face_count());
-  slot.half_edges = static_cast<std::uint32_t>(slot.block->brep.half_edge_count());
-  slot.pieces = slot.block->pieces().count;
+  slot.faces = static_cast<std::uint32_t>(slot.block->face_count());
+  slot.half_edges = static_cast<std::uint32_t>(slot.block->half_edge_count());
+  slot.pieces = slot.block->pieces().count();
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ const Block& SolidData::whole() const {
   if (is_whole()) return *slots_[0].block;
   once_alone(whole_once_, [this] {
     auto joined = std::make_shared<Block>();
-    join_blocks(*this, joined->brep, joined->geometry());
+    join_blocks(*this, joined->brep(), joined->geometry());
     joined_ = std::move(joined);
   });
   return *joined_;
@@ -97,7 +97,7 @@ bool SolidData::touches_itself() const {
   if (!may_touch_itself_) return false;
   if (!making_ && !is_whole()) return true;
   once_alone(touches_once_, [this] {
-    touches_itself_ = vertices_coincide(slots_[0].block->brep, slots_[0].block->geometry());
+    touches_itself_ = vertices_coincide(slots_[0].block->brep(), slots_[0].block->geometry());
   });
   return touches_itself_;
 }

@@ -35,18 +35,18 @@ struct Slot {
   }
   // Half-edges as they run in the solid.
   HalfEdgeId next_of(HalfEdgeId h) const {
-    return turned ? block->brep.prev_of(h) : block->brep.next_of(h);
+    return turned ? block->brep().prev_of(h) : block->brep().next_of(h);
   }
-  VertexId from(HalfEdgeId h) const { return turned ? block->brep.to(h) : block->brep.from(h); }
-  VertexId to(HalfEdgeId h) const { return turned ? block->brep.from(h) : block->brep.to(h); }
-  PointId start_of(HalfEdgeId h) const { return block->brep.point_of(from(h)); }
+  VertexId from(HalfEdgeId h) const { return turned ? block->brep().to(h) : block->brep().from(h); }
+  VertexId to(HalfEdgeId h) const { return turned ? block->brep().from(h) : block->brep().to(h); }
+  PointId start_of(HalfEdgeId h) const { return block->brep().point_of(from(h)); }
 };
 
 /// Calls visit(HalfEdgeId) for every half-edge of a loop of the slot's block, as they run in the
 /// solid.
 template <class Visit>
 void for_each_in_loop(const Slot& slot, LoopId loop, Visit&& visit) {
-  const HalfEdgeId first = slot.block->brep.loop_half_edge[loop];
+  const HalfEdgeId first = slot.block->brep().loop_half_edge[loop];
   HalfEdgeId h = first;
   do {
     visit(h);
@@ -61,7 +61,7 @@ class SolidData {
   /// `touches_itself`: several of its vertices may be at one point.
   SolidData(std::vector<Slot> slots, bool touches_itself);
 
-  Brep& brep() { return making_->brep; }
+  Brep& brep() { return making_->brep(); }
   Geometry& geometry() { return making_->geometry(); }
   /// Ends the filling: a large boundary is cut into blocks.
   void cut();
@@ -72,7 +72,7 @@ class SolidData {
 
   // The boundary as one structure. If it is in several blocks, they are joined when this is first
   // asked for: for work on all of the boundary.
-  const Brep& brep() const { return whole().brep; }
+  const Brep& brep() const { return whole().brep(); }
   const Geometry& geometry() const { return whole().geometry(); }
   const FaceTree& tree() const { return whole().tree(); }
   const Block& whole() const;
@@ -109,7 +109,7 @@ class SolidData {
     const BorderLink& link = s.links->all()[local.value() / 2];
     return {slot + static_cast<std::uint32_t>(link.slots), HalfEdgeId(2 * link.border)};
   }
-  std::size_t face_count() const { return making_ ? making_->brep.face_count() : face_count_; }
+  std::size_t face_count() const { return making_ ? making_->brep().face_count() : face_count_; }
   bool empty() const { return face_count() == 0; }
 
   /// A hierarchy over the slots that are not empty; its items are indices in `slots_in_tree`.

@@ -7,7 +7,7 @@ namespace {
 
 // Of the vertices at which it touches itself, and the edges between two of them.
 void add_boxes(const Block& block, std::vector<Box>& boxes) {
-  const Brep& brep = block.brep;
+  const Brep& brep = block.brep();
   const std::vector<VertexId>& touching = block.touching_vertices();
   const auto touches = [&](VertexId v) {
     return std::binary_search(touching.begin(), touching.end(), v);

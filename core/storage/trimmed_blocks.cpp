@@ -6,12 +6,12 @@ namespace sectile {
 
 TrimmedBlock::TrimmedBlock(const Block& old, std::vector<FaceId> faces)
     : faces_(std::move(faces)),
-      local_(old.brep.half_edge_count()),
-      made_(old.brep, old.geometry(), faces_, old.touching_vertices(), local_) {
-  std::vector<bool> stays(old.brep.face_count());
+      local_(old.brep().half_edge_count()),
+      made_(old.brep(), old.geometry(), faces_, old.touching_vertices(), local_) {
+  std::vector<bool> stays(old.brep().face_count());
   for (const FaceId f : faces_) stays[f.value()] = true;
   made_.number_edges([&](HalfEdgeId h) {
-    return old.is_border(h) || !stays[old.brep.face_of(Brep::twin(h)).value()];
+    return old.is_border(h) || !stays[old.brep().face_of(Brep::twin(h)).value()];
   });
   made_.fill();
 }
@@ -31,8 +31,7 @@ BorderEdge TrimmedBlocks::border_edge(std::uint32_t slot, HalfEdgeId in_old_bloc
   const std::uint32_t border =
       trimmed ? trimmed->border_at(in_old_block) : in_old_block.value() / 2;
   if (border == TrimmedBlock::none) return {slot, border, 0};
-  const FaceId face = block.brep.face_of(Brep::half_edge(EdgeId(border)));
-  return {slot, border, block.pieces().of_face[face.value()]};
+  return {slot, border, block.piece_at(Brep::half_edge(EdgeId(border)))};
 }
 
 // The link of a slot to the same edge of what is left of its neighbour.

@@ -10,8 +10,7 @@ void CountedSets::unite(std::uint32_t i, std::uint32_t j) {
 }
 
 VertexSets::VertexSets(const SolidData& solid)
-    : number(solid.slots(), [](const Block& b) { return b.brep.vertex_count(); }),
-      sets(number.count) {
+    : number(solid.slots(), [](const Block& b) { return b.vertex_count(); }), sets(number.count) {
   const auto slots = solid.slots();
   for (std::uint32_t s = 0; s < slots.size(); ++s) {
     if (slots[s].empty()) continue;

@@ -67,6 +67,21 @@ TEST(Threads, OneImportOverManyThreads) {
       [&] { EXPECT_EQ(Solid::from_mesh(mesh).to_mesh().indices.size(), mesh.indices.size()); });
 }
 
+// Its blocks are triangles until a thread asks for more.
+TEST(Threads, OneFreshImportAndItsImage) {
+  const PolygonMesh mesh = sphere(1, 80, 40).to_mesh();
+  const Solid tool = moved_by(sphere(0.3, 12, 8), 1, 0, 0);
+  const double wanted = boolean(Solid::from_mesh(mesh), tool, Operation::subtract).volume();
+  for (int i = 0; i < rounds; ++i) {
+    const Solid ball = Solid::from_mesh(mesh), image = moved_by(ball, 2, 0, 0);
+    in_threads([&](int t) {
+      const Solid cut = t % 2 == 0 ? boolean(ball, tool, Operation::subtract)
+                                   : boolean(image, moved_by(tool, 2, 0, 0), Operation::subtract);
+      EXPECT_NEAR(cut.volume(), wanted, 1e-12);
+    });
+  }
+}
+
 TEST(Threads, ProgressOfAnImportRises) {
   const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 8);
   const PolygonMesh mesh = sphere(1, 80, 40).to_mesh();

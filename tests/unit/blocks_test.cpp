@@ -37,7 +37,7 @@ std::size_t shared(const Solid& a, const Solid& b) {
 std::size_t large_blocks(const Solid& solid) {
   const std::set<const Block*> all = blocks(solid);
   return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const Block* block) {
-    return block->brep.face_count() >= few_faces;
+    return block->brep().face_count() >= few_faces;
   }));
 }
 
@@ -97,7 +97,7 @@ TEST(Blocks, EdgesBetweenBlocksKnowEachOther) {
       EXPECT_EQ(back.local, h);
       const auto position = [&](std::uint32_t slot, VertexId v) {
         const Block& block = *data.slot(slot).block;
-        return block.geometry().position(block.brep.point_of(v));
+        return block.geometry().position(block.brep().point_of(v));
       };
       EXPECT_EQ(position(s, data.slot(s).from(h)),
                 position(there.slot, data.slot(there.slot).to(there.local)));
@@ -118,7 +118,7 @@ TEST(Blocks, AResultSharesWhatAToolDoesNotTouch) {
 // The faces of a slot's block, by where they come from.
 std::set<std::pair<std::uint32_t, std::uint32_t>> sources(const Slot& slot) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> found;
-  for (const FaceSource& source : slot.block->brep.source)
+  for (const FaceSource& source : slot.block->brep().source)
     found.insert({source.solid, source.face});
   return found;
 }

@@ -205,7 +205,8 @@ TEST(MovedSolid, AMoveCopiesNothing) {
   const Solid moved = transformed(ball, Transform::rotation_degrees({1, 2, 3}, 25));
   const auto &from = ball.data()->slots(), &to = moved.data()->slots();
   ASSERT_EQ(from.size(), to.size());
-  for (std::size_t s = 0; s < from.size(); ++s) EXPECT_EQ(&from[s].block->brep, &to[s].block->brep);
+  for (std::size_t s = 0; s < from.size(); ++s)
+    EXPECT_EQ(&from[s].block->brep(), &to[s].block->brep());
 }
 
 TEST(MovedSolid, ChainsOfTurnsAndCutsStayExact) {

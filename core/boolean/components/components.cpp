@@ -146,7 +146,7 @@ class Labelling {
 
   void spread_to(HalfEdgeId in_solid, std::uint8_t label) {
     const std::uint32_t s = solid().slot_of(in_solid);
-    set_rest(s, slot(s).block->brep.face_of(solid().local(s, in_solid)), label);
+    set_rest(s, slot(s).block->brep().face_of(solid().local(s, in_solid)), label);
   }
 
   // To all faces of the block that hang together with this one.
@@ -159,9 +159,9 @@ class Labelling {
     while (!faces_.empty()) {
       const FaceId next = faces_.back();
       faces_.pop_back();
-      for_each_in_face(block.brep, next, [&](HalfEdgeId h) {
+      for_each_in_face(block.brep(), next, [&](HalfEdgeId h) {
         if (block.is_border(h)) return borders_.push_back(h);
-        const FaceId beyond = block.brep.face_of(Brep::twin(h));
+        const FaceId beyond = block.brep().face_of(Brep::twin(h));
         std::uint8_t& there = labels[beyond.value()];
         if (there == RestLabels::loaded)
           set_loaded(loaded_beyond(s, h), label);
@@ -191,7 +191,7 @@ class Labelling {
     const BorderLink& link = slot(s).links->all()[Brep::edge_of(h).value()];
     const std::uint32_t t = s + static_cast<std::uint32_t>(link.slots);
     if (!rest_.is_touched(t)) return set_member(t, link.piece, label);
-    const FaceId face = slot(t).block->brep.face_of(Brep::half_edge(EdgeId(link.border)));
+    const FaceId face = slot(t).block->brep().face_of(Brep::half_edge(EdgeId(link.border)));
     if (rest_.is_loaded(t, face))
       set_loaded(loaded_beyond(s, h), label);
     else
@@ -245,19 +245,15 @@ class Labelling {
     const Block& block = *slot(s).block;
     for (std::uint32_t border = 0; border < block.border_count; ++border) {
       const HalfEdgeId h = Brep::half_edge(EdgeId(border));
-      const std::uint32_t member = rest_.member(s, block.brep.face_of(h));
+      const std::uint32_t member = rest_.member(s, block.brep().face_of(h));
       if (rest_.of_member(s, member) == unknown && rest_.is_far(solid().across(s, h).slot))
         set_member(s, member, rest_.far_label());
     }
   }
 
   void settle_by_ray(std::uint32_t s, std::uint32_t member) {
-    const Brep& brep = slot(s).block->brep;
-    FaceId f(member);
-    if (!rest_.is_touched(s)) {
-      const std::vector<std::uint32_t>& piece = slot(s).block->pieces().of_face;
-      f = FaceId(static_cast<std::size_t>(std::ranges::find(piece, member) - piece.begin()));
-    }
+    const Brep& brep = slot(s).block->brep();
+    const FaceId f = rest_.is_touched(s) ? FaceId(member) : slot(s).block->pieces().face_of(member);
     const HalfEdgeId h = brep.loop_half_edge[brep.outer_loop[f]];
     const PointId p =
         load_point(slot(s).block->geometry(), brep.point_of(brep.from(h)), w_.geometry);

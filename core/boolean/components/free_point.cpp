@@ -53,7 +53,7 @@ PointId FreePoints::corner_beyond(HalfEdgeId in_solid) {
   const SolidData& solid = *patch_.solid;
   const std::uint32_t s = solid.slot_of(in_solid);
   const Slot& slot = solid.slot(s);
-  const Brep& brep = slot.block->brep;
+  const Brep& brep = slot.block->brep();
   const HalfEdgeId h = solid.local(s, in_solid);
   const VertexId across = slot.turned ? brep.to(brep.next_of(h)) : brep.from(brep.prev_of(h));
   return load_point(slot.block->geometry(), brep.point_of(across), w_.geometry);

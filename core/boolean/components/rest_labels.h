@@ -30,8 +30,7 @@ class RestLabels {
   /// How many faces or pieces of a slot have labels of their own; they are numbered.
   std::uint32_t count(std::uint32_t slot) const;
   std::uint32_t member(std::uint32_t slot, FaceId local) const {
-    return is_touched(slot) ? local.value()
-                            : solid_->slot(slot).block->pieces().of_face[local.value()];
+    return is_touched(slot) ? local.value() : solid_->slot(slot).block->pieces().of(local);
   }
   /// Valid until the next call; of what is far, not to be changed.
   std::uint8_t& of_member(std::uint32_t slot, std::uint32_t member) {

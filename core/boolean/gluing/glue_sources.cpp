@@ -42,11 +42,11 @@ void GlueSources::add_block(Geometry& geometry, Operand s, std::uint32_t slot, b
   const Block& block = *of_solid.block;
   source_of_slot_[s][slot] = static_cast<std::uint32_t>(sources_.size());
   auto loader =
-      std::make_unique<GeometryLoader>(block.geometry(), geometry, 2 * block.brep.face_count());
+      std::make_unique<GeometryLoader>(block.geometry(), geometry, 2 * block.brep().face_count());
   sources_.push_back(
-      {s, slot, &block.brep, of_solid.turned != turned, std::move(loader), {}, {}, {}});
+      {s, slot, &block.brep(), of_solid.turned != turned, std::move(loader), {}, {}, {}});
   GlueSource& source = sources_.back();
-  source.made.resize(block.brep.half_edge_count());
+  source.made.resize(block.brep().half_edge_count());
   add_faces(source, [&](FaceId f) { return kept_.rest[s].label(slot, f) == 1; });
   load_geometry(source);
 }
@@ -114,7 +114,7 @@ GlueSources::Mate GlueSources::mate(const SourceHalfEdge& e) const {
 GlueSources::Mate GlueSources::in_slot(Operand s, std::uint32_t slot, HalfEdgeId h) const {
   if (blocks_.is_shared(s, slot, h))
     return {Mate::Kind::shared, false, {}, blocks_.border_edge(s, slot, h)};
-  const Brep& brep = w_.patch[s].solid->slot(slot).block->brep;
+  const Brep& brep = w_.patch[s].solid->slot(slot).block->brep();
   if (kept_.rest[s].is_loaded(slot, brep.face_of(h))) return {Mate::Kind::earlier, false, {}, {}};
   const std::uint32_t source = source_of_slot_[s][slot];
   if (source == GlueSource::nowhere) throw InternalError("an edge of the result has only one face");

@@ -9,7 +9,7 @@ namespace {
 std::vector<FaceId> those_that_stay(const RestLabels& rest, std::uint32_t slot,
                                     const Block& block) {
   std::vector<FaceId> faces;
-  for (const FaceId f : block.brep.faces())
+  for (const FaceId f : block.brep().faces())
     if (rest.label(slot, f) == 1) faces.push_back(f);
   return faces;
 }
@@ -59,7 +59,7 @@ void KeptBlocks::share(Operand s, bool turned) {
 
 bool KeptBlocks::is_shared(Operand s, std::uint32_t slot, HalfEdgeId h) const {
   if (shared.slots[first_slot_[s] + slot].empty()) return false;
-  const FaceId face = w_.patch[s].solid->slot(slot).block->brep.face_of(h);
+  const FaceId face = w_.patch[s].solid->slot(slot).block->brep().face_of(h);
   return !kept_.rest[s].is_loaded(slot, face);
 }
 

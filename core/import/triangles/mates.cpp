@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 
 #include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
@@ -12,19 +13,47 @@ namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFu;
 
-// A half-edge whose other half is not in its chunk.
-struct Open {
-  std::uint64_t line;  // its lower and its higher point
-  std::uint32_t corner;
-  friend bool operator<(const Open& a, const Open& b) {
-    return a.line != b.line ? a.line < b.line : a.corner < b.corner;
-  }
-};
+// The half-edges whose other halves are not in their chunks, by the lines on which they lie. Many
+// threads enter them at a time.
+class OpenLines {
+ public:
+  OpenLines(const TriangleMesh& mesh, std::size_t expected)
+      : mesh_(mesh), slots_(std::bit_ceil(2 * expected + 1)) {}
 
-std::uint64_t line_of(const TriangleMesh& mesh, std::uint32_t corner) {
-  const auto [low, high] = std::minmax({mesh.from(corner).value(), mesh.to(corner).value()});
-  return std::uint64_t(low) << 32 | high;
-}
+  /// The half-edge that waits on the line of this one, which takes its place if there is none.
+  std::uint32_t take_or_add(std::uint32_t corner) {
+    std::atomic_ref waiting(slot_of(corner).corner);
+    std::uint32_t other = waiting.load(std::memory_order_relaxed);
+    while (!waiting.compare_exchange_weak(other, other == none ? corner : none,
+                                          std::memory_order_relaxed)) {
+    }
+    return other;
+  }
+
+ private:
+  static constexpr std::uint64_t no_line = ~std::uint64_t(0);
+  struct Slot {
+    std::uint64_t line = no_line;
+    std::uint32_t corner = none;
+  };
+
+  // Lines that are near in the mesh are near in the table, and those through one point apart.
+  Slot& slot_of(std::uint32_t corner) {
+    const auto [low, high] = std::minmax({mesh_.from(corner).value(), mesh_.to(corner).value()});
+    const std::uint64_t line = std::uint64_t(low) << 32 | high;
+    for (std::size_t i = std::size_t(low) + 3 * std::size_t(high);; ++i) {
+      Slot& slot = slots_[i % slots_.size()];
+      std::uint64_t known = no_line;
+      if (std::atomic_ref(slot.line).compare_exchange_strong(known, line,
+                                                             std::memory_order_relaxed) ||
+          known == line)
+        return slot;
+    }
+  }
+
+  const TriangleMesh& mesh_;
+  std::vector<Slot> slots_;
+};
 
 // The half-edges of one chunk that wait for their other halves, by the vertices that they leave.
 // All are numbered within the chunk.
@@ -57,6 +86,7 @@ class MateFinder {
   explicit MateFinder(TriangleMesh& mesh)
       : mesh_(mesh), open_(mesh.chunk_count()), pieces_(mesh.chunk_count()) {
     mesh_.mate.assign(mesh_.corners.size(), none);
+    mesh_.hangs_together.resize(mesh_.chunk_count());
   }
 
   bool run() {
@@ -67,8 +97,9 @@ class MateFinder {
   /// Once all mates are found.
   ShellOfTriangle shells() const {
     DisjointSets sets(mesh_.triangle_count());
-    for (std::size_t i = 0; i < all_open_.size(); i += 2)
-      sets.unite(piece(all_open_[i].corner), piece(all_open_[i + 1].corner));
+    for (const auto& some : open_)
+      for (const std::uint32_t corner : some)
+        if (corner < mesh_.mate[corner]) sets.unite(piece(corner), piece(mesh_.mate[corner]));
     if (is_one(sets)) return {};
     for (std::uint32_t c = 0; c < mesh_.chunk_count(); ++c)
       for (std::uint32_t t = mesh_.chunk_begin(c); t < mesh_.chunk_end(c); ++t)
@@ -84,12 +115,15 @@ class MateFinder {
   static_assert(TriangleMesh::most_of_a_chunk <= 256);
 
   void match_within_chunks() {
-    parallel::loop(tbb::blocked_range<std::uint32_t>(0, mesh_.chunk_count(), 8),
-                   [&](const auto& range) {
-                     Waiting waiting;
-                     for (std::uint32_t c = range.begin(); c < range.end(); ++c)
-                       match_within(c, waiting);
-                   });
+    for_each_range_of_chunks([&](const auto& range) {
+      Waiting waiting;
+      for (std::uint32_t c = range.begin(); c < range.end(); ++c) match_within(c, waiting);
+    });
+  }
+
+  template <class Body>
+  void for_each_range_of_chunks(const Body& body) {
+    parallel::loop(tbb::blocked_range<std::uint32_t>(0, mesh_.chunk_count(), 8), body);
   }
 
   void match_within(std::uint32_t chunk, Waiting& waiting) {
@@ -110,9 +144,10 @@ class MateFinder {
       unite(pieces, static_cast<std::uint8_t>(other / 3), place_in_chunk(corner, chunk));
       open -= 2;
     }
+    mesh_.hangs_together[chunk] = all_in_first(pieces, (end - begin) / 3);
     open_[chunk].reserve(open);
     for (std::uint32_t corner = begin; corner < end; ++corner)
-      if (mesh_.mate[corner] == none) open_[chunk].push_back({line_of(mesh_, corner), corner});
+      if (mesh_.mate[corner] == none) open_[chunk].push_back(corner);
   }
 
   std::uint8_t place_in_chunk(std::uint32_t corner, std::uint32_t chunk) const {
@@ -121,6 +156,11 @@ class MateFinder {
   static std::uint8_t first(const Pieces& pieces, std::uint8_t i) {
     while (pieces[i] != i) i = pieces[i];
     return i;
+  }
+  static bool all_in_first(const Pieces& pieces, std::size_t triangles) {
+    for (std::size_t i = 1; i < triangles; ++i)
+      if (pieces[i] == i) return false;
+    return true;
   }
   static void unite(Pieces& pieces, std::uint8_t i, std::uint8_t j) {
     const auto [low, high] = std::minmax({first(pieces, i), first(pieces, j)});
@@ -135,21 +175,21 @@ class MateFinder {
   bool match_between_chunks() {
     std::size_t count = 0;
     for (const auto& some : open_) count += some.size();
-    all_open_.reserve(count);
-    for (const auto& some : open_) all_open_.insert(all_open_.end(), some.begin(), some.end());
-    open_ = {};
     if (count % 2 != 0) return false;
-    parallel::sort(all_open_.begin(), all_open_.end());
-    parallel::loop(tbb::blocked_range<std::size_t>(0, count / 2, 4096), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-        const Open &a = all_open_[2 * i], &b = all_open_[2 * i + 1];
-        if (a.line != b.line || mesh_.from(a.corner) == mesh_.from(b.corner))
-          is_plain_ = false;
-        else
-          pair(a.corner, b.corner);
-      }
+    OpenLines lines(mesh_, count / 2);
+    for_each_range_of_chunks([&](const auto& range) {
+      for (std::uint32_t c = range.begin(); c < range.end(); ++c)
+        for (const std::uint32_t corner : open_[c])
+          if (const std::uint32_t other = lines.take_or_add(corner); other != none)
+            pair(other, corner);
     });
-    return is_plain_;
+    return std::ranges::all_of(open_, [&](const auto& some) {
+      return std::ranges::all_of(some, [&](std::uint32_t corner) { return is_matched(corner); });
+    });
+  }
+
+  bool is_matched(std::uint32_t corner) const {
+    return mesh_.mate[corner] != none && mesh_.from(mesh_.mate[corner]) != mesh_.from(corner);
   }
 
   bool is_one(DisjointSets& sets) const {
@@ -167,10 +207,8 @@ class MateFinder {
   }
 
   TriangleMesh& mesh_;
-  std::vector<std::vector<Open>> open_;  // per chunk
-  std::vector<Open> all_open_;
-  std::vector<Pieces> pieces_;  // per chunk
-  std::atomic<bool> is_plain_ = true;
+  std::vector<std::vector<std::uint32_t>> open_;  // per chunk: half-edges without a mate in it
+  std::vector<Pieces> pieces_;                    // per chunk
 };
 
 // One cycle of triangles around each point, in which no other point is met twice: then no edge has

@@ -8,16 +8,21 @@
 namespace sectile {
 namespace {
 
-constexpr std::uint32_t none = 0xFFFFFFFFu;
+// The half-edges and vertices of a chunk have numbers of so many bits
+// (storage/compact_triangles.h).
+constexpr std::uint16_t none = 0xFFFF;
+static_assert(6 * TriangleMesh::most_of_a_chunk < none);
 
 class BlockMaker {
  public:
   BlockMaker(const TriangleMesh& mesh, const FlatPart& part, std::uint32_t origin)
-      : mesh_(mesh), part_(part), origin_(origin), local_(mesh.corners.size()) {}
+      : mesh_(mesh), part_(part), origin_(origin), local_(mesh.corners.size(), none) {}
 
   TriangleBlocks run() {
     made_.slots.resize(mesh_.chunk_count());
     blocks_.resize(mesh_.chunk_count());
+    in_one_piece_.resize(mesh_.chunk_count());
+    leaving_.resize(mesh_.chunk_count());
     for_each_chunk([&](std::uint32_t c) { make(c); });
     for_each_chunk([&](std::uint32_t c) { link(c); });
     for (const std::uint32_t corner : part_.open)
@@ -52,109 +57,97 @@ class BlockMaker {
   }
 
   void make(std::uint32_t chunk) {
-    std::size_t triangles = 0;
-    for_each_triangle(chunk, [&](std::uint32_t) { ++triangles; });
-    if (triangles == 0) return;
-    blocks_[chunk] = std::make_shared<Block>();
-    Block& block = *blocks_[chunk];
-    number_half_edges(chunk, block);
-    add_vertices(chunk, triangles, block);
-    add_faces(chunk, triangles, block);
-    block.bounds();
-    block.pieces();
+    CompactTriangles made;
+    number_half_edges(chunk, made);
+    if (made.half_edge_count == 0) return;
+    made.origin = origin_;
+    add_triangles(chunk, made);
+    blocks_[chunk] = std::make_shared<const Block>(std::move(made));
+    in_one_piece_[chunk] = blocks_[chunk]->pieces().count() == 1;
   }
 
   // Those on the border first.
-  void number_half_edges(std::uint32_t chunk, Block& block) {
-    std::uint32_t next = 0;
+  void number_half_edges(std::uint32_t chunk, CompactTriangles& made) {
+    std::uint16_t next = 0;
+    const auto take = [&](std::uint32_t corner) { local_[corner] = next++; };
+    std::vector<std::uint32_t> leaving;
     for_each_corner(chunk, [&](std::uint32_t corner) {
       if (!leaves(corner, chunk)) return;
-      local_[corner] = HalfEdgeId(next);
-      next += 2;
+      leaving.push_back(corner);
+      take(corner);
+      ++next;
     });
-    block.border_count = next / 2;
+    made.border_count = next / 2u;
+    leaving_[chunk] = std::move(leaving);
     for_each_corner(chunk, [&](std::uint32_t corner) {
-      if (local_[corner].valid()) return;
-      local_[corner] = HalfEdgeId(next);
-      local_[mesh_.mate[corner]] = HalfEdgeId(next + 1);
-      next += 2;
+      if (local_[corner] != none) return;
+      take(corner);
+      take(mesh_.mate[corner]);
     });
-    Brep& brep = block.brep;
-    brep.resize_half_edges(next);
+    made.half_edge_count = next;
   }
 
-  // In the order in which they are met; points have their numbers.
-  void add_vertices(std::uint32_t chunk, std::size_t triangles, Block& block) const {
-    Brep& brep = block.brep;
-    std::array<std::uint32_t, std::size_t(3) * TriangleMesh::most_of_a_chunk> numbers;
+  // Vertices in the order in which they are met.
+  void add_triangles(std::uint32_t chunk, CompactTriangles& made) const {
+    std::array<std::uint16_t, std::size_t(3) * TriangleMesh::most_of_a_chunk> numbers;
     std::fill_n(numbers.begin(), mesh_.vertex_count[chunk], none);
-    std::vector<PointId> points;
-    points.reserve(triangles);
-    brep.vertex_half_edge.reserve(triangles);
-    for_each_corner(chunk, [&](std::uint32_t corner) {
-      const HalfEdgeId h = local_[corner];
-      std::uint32_t& known = numbers[mesh_.vertex[corner]];
-      if (known == none) {
-        known = static_cast<std::uint32_t>(points.size());
-        points.push_back(mesh_.from(corner));
-        brep.vertex_half_edge.add(h);
-      }
-      brep.origin[h] = VertexId(known);
-    });
-    Geometry& geometry = block.geometry();
-    geometry.positions.reserve(points.size());
-    geometry.construct.reserve(points.size());
-    brep.point.reserve(points.size());
-    for (const PointId p : points) brep.point.add(geometry.add_point(mesh_.geometry->position(p)));
-  }
-
-  void add_faces(std::uint32_t chunk, std::size_t triangles, Block& block) const {
-    Brep& brep = block.brep;
-    brep.reserve_faces(triangles);
-    block.geometry().planes.reserve(triangles);
+    made.positions.reserve(mesh_.vertex_count[chunk]);
+    const std::size_t all = mesh_.chunk_end(chunk) - mesh_.chunk_begin(chunk);
+    made.triangles.reserve(all);
     for_each_triangle(chunk, [&](std::uint32_t t) {
-      const HalfEdgeId h[] = {local_[3 * t], local_[3 * t + 1], local_[3 * t + 2]};
-      const LoopId loop(brep.outer_loop.size());
-      for (std::size_t k = 0; k < 3; ++k) {
-        brep.next[h[k]] = h[(k + 1) % 3];
-        brep.prev[h[k]] = h[(k + 2) % 3];
-        brep.loop[h[k]] = loop;
-        if (block.is_border(h[k])) brep.origin[Brep::twin(h[k])] = brep.from(h[(k + 1) % 3]);
+      CompactTriangles::Triangle& triangle =
+          made.triangles.emplace_back(CompactTriangles::Triangle{{}, {}, mesh_.source[t]});
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t corner = 3 * t + k;
+        std::uint16_t& known = numbers[mesh_.vertex[corner]];
+        if (known == none) {
+          known = static_cast<std::uint16_t>(made.positions.size());
+          made.positions.push_back(mesh_.position(corner));
+        }
+        triangle.vertex[k] = known;
+        triangle.half_edge[k] = local_[corner];
       }
-      const PlaneId plane = block.geometry().add_plane(
-          PlaneDefinition::through(point(brep, h[0]), point(brep, h[1]), point(brep, h[2])));
-      brep.add_loop(brep.add_face(plane, {origin_, mesh_.source[t]}, loop), h[0]);
     });
+    made.hangs_together = made.triangles.size() == all && !mesh_.hangs_together.empty() &&
+                          mesh_.hangs_together[chunk] != 0;
   }
-  static PointId point(const Brep& brep, HalfEdgeId h) { return brep.point_of(brep.from(h)); }
 
   BorderEdge border_edge(std::uint32_t corner) const {
     const std::uint32_t slot = mesh_.chunk_of(corner);
-    const HalfEdgeId h = local_[corner];
-    const Block& block = *blocks_[slot];
-    const Pieces& pieces = block.pieces();
-    // Nearly all blocks are in one piece: their faces are not looked at.
-    return {slot, h.value() / 2,
-            pieces.count == 1 ? 0 : pieces.of_face[block.brep.face_of(h).value()]};
+    // Nearly all blocks are in one piece, and are not looked at.
+    return {
+        slot, local_[corner] / 2u,
+        in_one_piece_[slot] != 0 ? 0 : blocks_[slot]->pieces().of(face_in_block(corner / 3, slot))};
+  }
+  FaceId face_in_block(std::uint32_t triangle, std::uint32_t slot) const {
+    std::uint32_t before = 0;
+    for_each_triangle(slot, [&](std::uint32_t t) {
+      if (t < triangle) ++before;
+    });
+    return FaceId(before);
   }
 
   void link(std::uint32_t chunk) {
-    if (!blocks_[chunk] || blocks_[chunk]->border_count == 0) return;
-    std::vector<BorderLink> links(blocks_[chunk]->border_count);
-    for_each_corner(chunk, [&](std::uint32_t corner) {
-      if (!leaves(corner, chunk) || part_.holds[mesh_.mate[corner] / 3] != 0) return;
-      const BorderEdge other = border_edge(mesh_.mate[corner]);
-      links[local_[corner].value() / 2] = {static_cast<std::int32_t>(other.slot - chunk),
-                                           other.border, other.piece};
-    });
+    if (leaving_[chunk].empty()) return;
+    std::vector<BorderLink> links;
+    links.reserve(leaving_[chunk].size());
+    for (const std::uint32_t corner : leaving_[chunk]) {
+      BorderLink& link = links.emplace_back();
+      const std::uint32_t mate = mesh_.mate[corner];
+      if (part_.holds[mate / 3] != 0) continue;
+      const BorderEdge other = border_edge(mate);
+      link = {static_cast<std::int32_t>(other.slot - chunk), other.border, other.piece};
+    }
     made_.slots[chunk].links = std::make_shared<const BorderLinks>(std::move(links));
   }
 
   const TriangleMesh& mesh_;
   const FlatPart& part_;
   std::uint32_t origin_;
-  std::vector<HalfEdgeId> local_;  // per corner: in its block
-  std::vector<std::shared_ptr<Block>> blocks_;
+  std::vector<std::uint16_t> local_;                 // per corner: its half-edge in its block
+  std::vector<std::vector<std::uint32_t>> leaving_;  // per chunk: the corners on its border
+  std::vector<std::shared_ptr<const Block>> blocks_;
+  std::vector<std::uint8_t> in_one_piece_;
   TriangleBlocks made_;
 };
 

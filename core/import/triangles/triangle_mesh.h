@@ -30,6 +30,8 @@ struct TriangleMesh {
   /// Per corner: the number of its point within its chunk, in the order in which points are met.
   std::vector<std::uint16_t> vertex;
   std::vector<std::uint16_t> vertex_count;  ///< per chunk
+  /// Per chunk: do its triangles hang together over its edges? Empty if nobody has looked.
+  std::vector<std::uint8_t> hangs_together;
 
   /// The first triangle of each chunk, and the end.
   std::vector<std::uint32_t> chunk_begins;

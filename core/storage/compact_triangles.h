@@ -1,0 +1,32 @@
+// The triangles of a block in as few bytes as will do. Its structure and its geometry are made of
+// them when they are first asked for: most blocks of a large import never are.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/geometry.h"
+#include "topology/brep.h"
+
+namespace sectile {
+
+/// Half-edges and vertices have the numbers that they have in the block.
+struct CompactTriangles {
+  struct Triangle {
+    std::array<std::uint16_t, 3> vertex;     ///< corners, counter-clockwise
+    std::array<std::uint16_t, 3> half_edge;  ///< those that leave them
+    std::uint32_t source;                    ///< FaceSource::face
+  };
+  std::vector<Vec3> positions;      ///< per vertex, in the order in which triangles meet them
+  std::vector<Triangle> triangles;  ///< per face
+  std::uint32_t half_edge_count = 0, border_count = 0;  ///< see storage/block.h
+  std::uint32_t origin = 0;                             ///< FaceSource::solid
+  bool hangs_together = false;  ///< over its edges, as is known; it may also if this is not set
+};
+
+Brep make_brep(const CompactTriangles& of);
+/// Points are the vertices, planes the faces.
+Geometry make_geometry(const CompactTriangles& of);
+
+}  // namespace sectile

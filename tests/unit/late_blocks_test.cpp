@@ -1,0 +1,80 @@
+// Blocks of a large import are triangles until somebody asks for their structure.
+#include <gtest/gtest.h>
+
+#include "sectile/sectile.h"
+#include "storage/solid_data.h"
+#include "topology/links.h"
+#include "unit/large_meshes.h"
+
+namespace sectile {
+namespace {
+
+Solid large_ball() {
+  return Solid::from_mesh(tube(120, 150, true, on_ball));
+}
+
+Solid tool_at_its_side() {
+  return transformed(sphere(0.05, 12, 9), Transform::translation({1, 0, 0}));
+}
+
+// What share of its blocks has a structure. Those of which faces lie in one plane have one.
+double share_with_structure(const Solid& solid) {
+  double blocks = 0, made = 0;
+  for (const Slot& slot : solid.data()->slots()) {
+    if (slot.empty()) continue;
+    ++blocks;
+    if (slot.block->has_structure()) ++made;
+  }
+  return made / blocks;
+}
+
+TEST(LateBlocks, AnImportHasNextToNoStructure) {
+  const Solid ball = large_ball();
+  EXPECT_GT(ball.data()->slots().size(), 100u);
+  EXPECT_LT(share_with_structure(ball), 0.05);
+}
+
+TEST(LateBlocks, ACutMakesThoseAtTheCutOnly) {
+  const Solid ball = large_ball(), tool = tool_at_its_side();
+  for (const Operation operation : {Operation::unite, Operation::subtract}) {
+    const Solid result = boolean(ball, tool, operation);
+    EXPECT_LT(share_with_structure(ball), 0.1);
+    EXPECT_LT(share_with_structure(result), 0.1);
+  }
+}
+
+TEST(LateBlocks, SoDoesACutInAnImageOfTheImport) {
+  const Transform turn = Transform::rotation_degrees({1, 2, 3}, 40);
+  const Solid ball = large_ball(), tool = tool_at_its_side();
+  const Solid cut = boolean(transformed(ball, turn), transformed(tool, turn), Operation::subtract);
+  EXPECT_LT(share_with_structure(ball), 0.1);
+  EXPECT_LT(share_with_structure(cut), 0.1);
+  EXPECT_EQ(cut, transformed(boolean(large_ball(), tool, Operation::subtract), turn));
+}
+
+TEST(LateBlocks, TheirStructureIsThatOfABoundary) {
+  const Solid ball = large_ball();
+  EXPECT_TRUE(broken_links(ball.data()->whole().brep(), false).empty());
+  EXPECT_EQ(share_with_structure(ball), 1.0);
+  EXPECT_TRUE(validate(ball).empty());
+}
+
+TEST(LateBlocks, HaveTheSizesOfTheirStructure) {
+  const Solid ball = large_ball();
+  for (const Slot& slot : ball.data()->slots()) {
+    const Block& block = *slot.block;
+    const std::size_t faces = block.face_count(), half_edges = block.half_edge_count(),
+                      loops = block.loop_count(), vertices = block.vertex_count();
+    const Brep& brep = block.brep();
+    EXPECT_EQ(faces, brep.face_count());
+    EXPECT_EQ(half_edges, brep.half_edge_count());
+    EXPECT_EQ(loops, brep.loop_count());
+    EXPECT_EQ(vertices, brep.vertex_count());
+    const Pieces pieces(brep, block.border_count);
+    ASSERT_EQ(block.pieces().count(), pieces.count());
+    for (const FaceId f : brep.faces()) EXPECT_EQ(block.pieces().of(f), pieces.of(f));
+  }
+}
+
+}  // namespace
+}  // namespace sectile
