@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 
-#include "parallel/parallel.h"
 #include "rounding/enclosed_volume.h"
 #include "rounding/rounded_triangles.h"
 #include "rounding/rounding_repair.h"
+#include "rounding/wrong_shell.h"
 
 namespace sectile {
 namespace {
 
-// Where more than this part of the corners moves, the whole is looked at.
-constexpr std::size_t least_share = 8;
 // What is changed may meet what was far from the triangles for which it was changed. So often that
 // is looked at, before the whole is.
 constexpr int most_rounds = 4;
@@ -29,36 +27,45 @@ class PlainRounding {
       : mesh_(std::move(mesh)), grid_(grid), options_(options), steps_(steps) {}
 
   std::optional<RoundedMesh> run() {
-    if (!mesh_.moved().empty() && (!all_finite() || !make_legal() || !shells_stay())) return {};
+    const bool moved = !mesh_.moved().empty();
+    if (moved && (!all_finite() || !make_legal())) return {};
+    const bool shells_known = !moved || shells_stay();
     note_report(result_.report);
     mesh_.move_into(result_);
+    if (!shells_known && !result_.mesh.face_sizes.empty() &&
+        face_of_wrong_shell(result_.mesh, options_.cancel))
+      return {};
     return std::move(result_);
   }
 
  private:
   bool make_legal() {
     Triangles suspects = mesh_.unsettled(), looked_at = mesh_.around(suspects);
-    looked_at.insert(looked_at.end(), mesh_.cut().begin(), mesh_.cut().end());  // at their area
+    looked_at = united(looked_at, mesh_.cut());  // at their area
     for (int round = 0; round < most_rounds; ++round) {
       steps_.check();
-      const Triangles faulty = find_faulty(std::move(looked_at), suspects);
-      if (faulty.empty()) return true;
-      if (!mend(faulty, suspects)) return false;
+      const std::optional<Triangles> faulty = find_faulty(std::move(looked_at), suspects);
+      if (!faulty) return false;
+      if (faulty->empty()) return true;
+      if (!mend(*faulty, suspects)) return false;
       looked_at = mesh_.around(suspects);
     }
     return false;
   }
 
+  // Vertices that were joined may have ended a shell, or divided it.
   bool shells_stay() const {
-    return mesh_.shells_stay() ||
-           (mesh_.one_shell() && clearly_encloses_volume(mesh_.positions(), mesh_.indices()));
+    if (result_.report.merged > 0) return false;
+    return (mesh_.one_shell() && clearly_encloses_volume(mesh_.positions(), mesh_.indices())) ||
+           mesh_.shells_stay();
   }
 
-  // Every pair with a suspect is tested. What decides about such a pair is near, too.
-  Triangles find_faulty(Triangles looked_at, const Triangles& suspects) {
-    sort_unique(looked_at);
-    if (looked_at.empty()) return {};
+  // Every pair with a suspect is tested. What decides about such a pair is near, too. Nothing if
+  // there are edges of more than two triangles, as vertices were joined.
+  std::optional<Triangles> find_faulty(Triangles looked_at, const Triangles& suspects) {
+    if (looked_at.empty()) return Triangles();
     MeshPart part = mesh_.part(std::move(looked_at), suspects);
+    if (!part.is_manifold) return {};
     steps_.check();
     Triangles faulty =
         faulty_triangles(part.rounded, Kernel(part.rounded.geometry), steps_.part(0.5));
@@ -67,15 +74,12 @@ class PlainRounding {
     return faulty;
   }
 
-  // What was changed is suspect then. False if changes nearby do not help. Joined vertices are not
-  // taken: they may end a shell, or divide it.
+  // What was changed is suspect then. False if changes nearby do not help.
   bool mend(const Triangles& faulty, Triangles& suspects) {
-    Triangles near = mesh_.neighbours(faulty, rings);
+    const Triangles near = mesh_.neighbours(faulty, rings);
     steps_.check();
-    const Triangles others = mesh_.around(near);
-    near.insert(near.end(), others.begin(), others.end());
-    sort_unique(near);
-    MeshPart part = mesh_.part(std::move(near), mesh_.unsettled());
+    MeshPart part = mesh_.part(mesh_.around(near), mesh_.unsettled());
+    if (!part.is_manifold) return false;
     steps_.check();
     Kernel kernel(part.rounded.geometry);
     ignore_flat(part.rounded, kernel);
@@ -84,9 +88,10 @@ class PlainRounding {
     for (const std::uint32_t t : faulty)
       in_part.push_back(static_cast<std::uint32_t>(
           std::lower_bound(part.triangle.begin(), part.triangle.end(), t) - part.triangle.begin()));
-    if (!repair.run(std::move(in_part)).empty() || repair.merged() > 0) return false;
-    suspects = mesh_.take_back(part);
+    if (!repair.run(std::move(in_part)).empty()) return false;
+    suspects = mesh_.take_back(part, repair.gone_to());
     steps_.check();
+    result_.report.merged += repair.merged();
     result_.report.flipped += repair.flipped();
     if (repair.widest_flip() > result_.report.largest_move) {
       result_.report.largest_move = repair.widest_flip();
@@ -95,9 +100,12 @@ class PlainRounding {
     return true;
   }
 
-  static void sort_unique(Triangles& triangles) {
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  // Of two ascending lists.
+  static Triangles united(const Triangles& a, const Triangles& b) {
+    Triangles all;
+    all.reserve(a.size() + b.size());
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+    return all;
   }
 
   // What is too large for the numbers is refused where the whole is looked at.
@@ -112,7 +120,7 @@ class PlainRounding {
     report.corners = mesh_.positions().size();
     std::vector<double> moves;
     for (const RoundedTriangles::Moved& m : mesh_.moved()) {
-      const Vec3& to = mesh_.positions()[m.vertex];
+      const Vec3& to = mesh_.position(m.vertex);
       if (!(to == grid_.nearest(m.from))) ++report.displaced;
       double move = std::hypot(to.x - m.from.x, to.y - m.from.y, to.z - m.from.z);
       // The place itself is off by half a unit in the last place of each coordinate at most.
@@ -140,31 +148,10 @@ class PlainRounding {
   RoundedMesh result_;
 };
 
-// Where most corners move, as they do in floats, the whole has to be tested.
-bool most_stay(const SolidData& data, const RoundingGrid& grid) {
-  const auto slots = data.slots();
-  std::vector<std::size_t> moved(slots.size(), 0), all(slots.size(), 0);
-  parallel::loop(0, slots.size(), [&](std::size_t s) {
-    if (slots[s].empty()) return;
-    const Geometry& g = slots[s].block->geometry();
-    all[s] = g.positions.size();
-    for (std::size_t i = 0; i < all[s]; ++i) {
-      const PointId p(i);
-      moved[s] += !g.is_explicit(p) || !(grid.nearest(g.position(p)) == g.position(p));
-    }
-  });
-  const auto sum = [](const auto& counts) {
-    return std::accumulate(counts.begin(), counts.end(), std::size_t(0));
-  };
-  return sum(moved) <= sum(all) / least_share;
-}
-
 }  // namespace
 
 std::optional<RoundedMesh> plain_rounding(const SolidData& data, const RoundingGrid& grid,
                                           const Rounding& options, RoundingSteps& steps) {
-  if (!most_stay(data, grid)) return {};
-  steps.check();
   auto triangles = block_triangles(data);
   if (!triangles) return {};
   steps.check();

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
+#include "search/bucket_sort.h"
 #include "storage/element_counts.h"
 
 namespace sectile {
@@ -15,29 +17,45 @@ std::size_t next(std::size_t k) {
   return k < 2 ? k + 1 : 0;
 }
 
+template <class Body>
+void for_each(std::size_t count, const Body& body) {
+  parallel::loop(tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+  });
+}
+
 // Beyond the part an edge has no mate.
-void find_mates(TriangleSurface& surface) {
+// False if it has more than one.
+bool find_mates(TriangleSurface& surface, std::size_t points) {
   struct Edge {
     PointId low, high;
     std::uint32_t triangle, k;
     auto operator<=>(const Edge&) const = default;
   };
-  std::vector<Edge> edges;
+  std::vector<Edge> edges(3 * surface.size());
   surface.mate.resize(surface.size());
-  for (std::uint32_t t = 0; t < surface.size(); ++t)
+  for_each(surface.size(), [&](std::size_t i) {
+    const auto t = static_cast<std::uint32_t>(i);
     for (std::uint32_t k = 0; k < 3; ++k) {
       const PointId p = surface.corners[t][k], q = surface.corners[t][next(k)];
-      edges.push_back({std::min(p, q), std::max(p, q), t, k});
+      edges[3 * i + k] = {std::min(p, q), std::max(p, q), t, k};
       surface.mate[t][k] = t | TriangleSurface::partial;
     }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+  });
+  bucket_sort(
+      edges, points, [](const Edge& e) { return e.low.value(); }, std::less<>());
+  const auto same = [&](std::size_t i) {
+    return i + 1 < edges.size() && edges[i].low == edges[i + 1].low &&
+           edges[i].high == edges[i + 1].high;
+  };
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (!same(i)) continue;
     const Edge &a = edges[i], &b = edges[i + 1];
-    if (a.low != b.low || a.high != b.high) continue;
     surface.mate[a.triangle][a.k] = b.triangle;
     surface.mate[b.triangle][b.k] = a.triangle;
-    ++i;
+    if (same(++i)) return false;
   }
+  return true;
 }
 
 bool any_slot(std::size_t) {
@@ -53,6 +71,8 @@ RoundedTriangles::RoundedTriangles(const SolidData& data, BlockTriangles triangl
       positions_(triangles_.vertex_count),
       moved_at_(triangles_.vertex_count, none),
       is_changed_(size(), 0),
+      is_gone_(size(), 0),
+      gone_to_(triangles_.vertex_count, none),
       bounds_(data.slots().size()) {
   round(data, grid);
 }
@@ -83,14 +103,16 @@ void RoundedTriangles::round(const SolidData& data, const RoundingGrid& grid) {
       moved_at_[m.vertex] = static_cast<std::uint32_t>(moved_.size());
       moved_.push_back(m);
     }
-  for (const std::uint32_t t : unsettled()) {
-    Bounds swept;
-    for (const std::uint32_t v : corners(t)) {
-      swept.add(place_of(v));
-      swept.add(positions_[v]);
+  const Triangles swept = unsettled();
+  swept_.resize(swept.size());
+  for_each(swept.size(), [&](std::size_t i) {
+    Bounds bounds;
+    for (const std::uint32_t v : corners(swept[i])) {
+      bounds.add(place_of(v));
+      bounds.add(positions_[v]);
     }
-    note_swept(swept);
-  }
+    swept_[i] = with_places(bounds);
+  });
 }
 
 Box RoundedTriangles::box(std::uint32_t t) const {
@@ -114,7 +136,7 @@ RoundedTriangles::Triangles RoundedTriangles::select(const SlotWanted& slot_want
     if (!slot_wanted(s)) return;
     const std::uint32_t end = triangles_.first_triangle[s + 1];
     for (std::uint32_t t = triangles_.first_triangle[s]; t < end; ++t)
-      if (wanted(t)) found[s].push_back(t);
+      if (is_gone_[t] == 0 && wanted(t)) found[s].push_back(t);
   });
   Triangles all;
   for (const Triangles& some : found) all.insert(all.end(), some.begin(), some.end());
@@ -122,17 +144,26 @@ RoundedTriangles::Triangles RoundedTriangles::select(const SlotWanted& slot_want
 }
 
 RoundedTriangles::Triangles RoundedTriangles::unsettled() const {
-  return select(any_slot, [&](std::uint32_t t) {
-    const Corners c = corners(t);
-    return is_changed_[t] != 0 || moved_at_[c[0]] != none || moved_at_[c[1]] != none ||
-           moved_at_[c[2]] != none;
-  });
+  return select(any_slot, [&](std::uint32_t t) { return is_unsettled(t); });
+}
+
+bool RoundedTriangles::is_unsettled(std::uint32_t t) const {
+  const Corners c = corners(t);
+  return is_changed_[t] != 0 || moved_at_[c[0]] != none || moved_at_[c[1]] != none ||
+         moved_at_[c[2]] != none;
+}
+
+std::vector<std::uint8_t> RoundedTriangles::marks(const Triangles& triangles) const {
+  std::vector<std::uint8_t> marks(size(), 0);
+  for (const std::uint32_t t : triangles) marks[t] = 1;
+  return marks;
 }
 
 RoundedTriangles::Triangles RoundedTriangles::around(const Triangles& triangles) const {
+  const std::vector<std::uint8_t> among = marks(triangles);
   std::vector<Box> boxes(triangles.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = box(triangles[i]);
-  const BoxTree tree(boxes);
+  const BoxTree tree(boxes, {}, std::is_sorted(triangles.begin(), triangles.end()));
   const auto meets = [&](const Box& own) {
     bool any = false;
     tree.query([&](const Box& b) { return !any && b.overlaps(own); },
@@ -140,7 +171,7 @@ RoundedTriangles::Triangles RoundedTriangles::around(const Triangles& triangles)
     return any;
   };
   return select([&](std::size_t s) { return meets(bounds_[s]); },
-                [&](std::uint32_t t) { return meets(box(t)); });
+                [&](std::uint32_t t) { return among[t] != 0 || meets(box(t)); });
 }
 
 RoundedTriangles::Triangles RoundedTriangles::neighbours(const Triangles& triangles,
@@ -158,44 +189,66 @@ RoundedTriangles::Triangles RoundedTriangles::neighbours(const Triangles& triang
   return found;
 }
 
-void RoundedTriangles::add_vertex(MeshPart& part, std::uint32_t vertex) const {
+// Those of a part, in the order in which its triangles meet them.
+std::vector<std::uint32_t> RoundedTriangles::number_vertices(MeshPart& part) const {
+  std::vector<std::uint32_t> number(positions_.size(), none);
+  for (const std::uint32_t t : part.triangle)
+    for (const std::uint32_t v : corners(t)) {
+      if (number[v] != none) continue;
+      number[v] = static_cast<std::uint32_t>(part.vertex.size());
+      part.vertex.push_back(v);
+    }
+  return number;
+}
+
+void RoundedTriangles::add_vertices(MeshPart& part) const {
   RoundedSurface& r = part.rounded;
-  const std::uint32_t moved = moved_at_[vertex];
-  part.vertex.push_back(vertex);
-  r.origin.push_back(place_of(vertex));
-  r.is_exact.push_back(moved == none || moved_[moved].was_exact);
-  r.point.push_back(r.geometry.add_point(positions_[vertex]));
+  r.origin.resize(part.vertex.size());
+  r.is_exact.resize(part.vertex.size());
+  r.point.resize(part.vertex.size());
+  for_each(part.vertex.size(), [&](std::size_t i) {
+    const std::uint32_t moved = moved_at_[part.vertex[i]];
+    r.origin[i] = place_of(part.vertex[i]);
+    r.is_exact[i] = moved == none || moved_[moved].was_exact;
+    r.point[i] = PointId(i);
+  });
+  r.geometry.positions.reserve(part.vertex.size());
+  for (const std::uint32_t v : part.vertex) r.geometry.add_point(positions_[v]);
 }
 
 MeshPart RoundedTriangles::part(Triangles triangles, const Triangles& suspects) const {
   MeshPart part;
   part.triangle = std::move(triangles);
+  const std::size_t count = part.triangle.size();
+  const std::vector<std::uint32_t> number = number_vertices(part);
+  add_vertices(part);
   RoundedSurface& r = part.rounded;
-  std::vector<std::uint32_t> number(positions_.size(), none);
-  for (std::uint32_t i = 0; i < part.triangle.size(); ++i) {
+  r.corners.resize(count);
+  r.source.resize(count);
+  r.geometry.planes.resize(count);
+  r.surface.corners.resize(count);
+  r.surface.plane.resize(count);
+  r.surface.face.resize(count);
+  r.surface.settled.resize(count);
+  const std::vector<std::uint8_t> is_suspect = marks(suspects);
+  for_each(count, [&](std::size_t i) {
     const std::uint32_t t = part.triangle[i];
-    Corners at = corners(t);
-    std::array<PointId, 3> points;
+    const Corners of_mesh = corners(t);
+    std::array<PointId, 3>& points = r.surface.corners[i];
     for (std::size_t k = 0; k < 3; ++k) {
-      std::uint32_t& n = number[at[k]];
-      if (n == none) {
-        n = static_cast<std::uint32_t>(part.vertex.size());
-        add_vertex(part, at[k]);
-      }
-      at[k] = n;
-      points[k] = r.point[n];
+      r.corners[i][k] = number[of_mesh[k]];
+      points[k] = r.point[r.corners[i][k]];
     }
-    r.corners.push_back(at);
-    r.source.push_back(triangles_.source[t]);
-    r.surface.corners.push_back(points);
-    r.surface.plane.push_back(
-        r.geometry.add_plane(PlaneDefinition::through(points[0], points[1], points[2])));
-    r.surface.face.push_back(i);
-    r.surface.settled.push_back(!std::binary_search(suspects.begin(), suspects.end(), t));
-  }
+    r.source[i] = triangles_.source[t];
+    r.surface.plane[i] = PlaneId(i);
+    r.geometry.planes[PlaneId(i)] = PlaneDefinition::through(points[0], points[1], points[2]);
+    r.surface.face[i] = static_cast<std::uint32_t>(i);
+    r.surface.settled[i] = is_suspect[t] == 0;
+  });
   part.corners = r.corners;
-  r.alive.assign(part.triangle.size(), 1);
-  find_mates(r.surface);
+  r.alive.assign(count, 1);
+  r.surface.along_curve = true;  // as blocks are
+  part.is_manifold = find_mates(r.surface, part.vertex.size());
   r.fixed.assign(part.vertex.size(), 0);
   for (std::size_t t = 0; t < r.corners.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k)
@@ -205,14 +258,14 @@ MeshPart RoundedTriangles::part(Triangles triangles, const Triangles& suspects) 
 }
 
 // The places are off by half an ulp of doubles at most.
-void RoundedTriangles::note_swept(const Bounds& bounds) {
+Box RoundedTriangles::with_places(const Bounds& bounds) {
   constexpr float end = std::numeric_limits<float>::infinity();
   Box box = bounds.box();
   for (int k = 0; k < 3; ++k) {
     box.low[k] = std::nextafterf(box.low[k], -end);
     box.high[k] = std::nextafterf(box.high[k], end);
   }
-  swept_.push_back(box);
+  return box;
 }
 
 bool RoundedTriangles::shells_stay() const {
@@ -241,29 +294,39 @@ bool RoundedTriangles::shells_stay() const {
     for (std::uint32_t t = triangles_.first_triangle[s]; t < triangles_.first_triangle[s + 1];
          ++t) {
       std::uint8_t& known = shell_stays[shells.first(corners(t)[0])];
-      if (known == 0) known = slot_stays[s] != 0 || stays(box(t));
+      if (known == 0) known = slot_stays[s] != 0 || (!is_unsettled(t) && stays(box(t)));
     }
   for (std::uint32_t v = 0; v < positions_.size(); ++v)
     if (shells.first(v) == v && shell_stays[v] == 0) return false;
   return true;
 }
 
-RoundedTriangles::Triangles RoundedTriangles::take_back(const MeshPart& part) {
+void RoundedTriangles::note_moved(std::uint32_t vertex, const Vec3& from, bool was_exact) {
+  if (moved_at_[vertex] != none) return;
+  moved_at_[vertex] = static_cast<std::uint32_t>(moved_.size());
+  moved_.push_back({vertex, from, was_exact});
+}
+
+RoundedTriangles::Triangles RoundedTriangles::take_back(const MeshPart& part,
+                                                        const std::vector<std::uint32_t>& gone_to) {
   const RoundedSurface& r = part.rounded;
   std::vector<Vec3> before;
   for (std::uint32_t i = 0; i < part.vertex.size(); ++i) {
     const std::uint32_t v = part.vertex[i];
     before.push_back(positions_[v]);
-    if (r.position(i) == positions_[v]) continue;
-    if (moved_at_[v] == none) {
-      moved_at_[v] = static_cast<std::uint32_t>(moved_.size());
-      moved_.push_back({v, r.origin[i], r.is_exact[i] != 0});
-    }
+    if (gone_to[i] != i) gone_to_[v] = part.vertex[gone_to[i]];
+    if (gone_to[i] != i || !(r.position(i) == positions_[v]))
+      note_moved(v, r.origin[i], r.is_exact[i] != 0);
     positions_[v] = r.position(i);
   }
   Triangles changed;
   for (std::size_t i = 0; i < part.triangle.size(); ++i) {
     const std::uint32_t t = part.triangle[i];
+    if (r.alive[i] == 0) {
+      any_gone_ = true;
+      is_gone_[t] = 1;
+      continue;
+    }
     const Corners was = part.corners[i], is = r.corners[i];
     const auto moves = [&](std::uint32_t v) { return !(r.position(v) == before[v]); };
     if (was == is && std::none_of(is.begin(), is.end(), moves)) continue;
@@ -275,7 +338,7 @@ RoundedTriangles::Triangles RoundedTriangles::take_back(const MeshPart& part) {
       swept.add(r.position(was[k]));
       swept.add(r.position(is[k]));
     }
-    note_swept(swept);
+    swept_.push_back(with_places(swept));
     triangles_.source[t] = r.source[i];
     is_changed_[t] = 1;
     bounds_[slot_of(t)].add(box(t));
@@ -284,7 +347,31 @@ RoundedTriangles::Triangles RoundedTriangles::take_back(const MeshPart& part) {
   return changed;
 }
 
+// Triangles, and vertices of which no triangle is left.
+void RoundedTriangles::drop_what_is_gone() {
+  std::vector<std::uint32_t> number(positions_.size(), none);
+  std::vector<Vec3> positions;
+  std::size_t kept = 0;
+  for (std::uint32_t t = 0; t < size(); ++t) {
+    if (is_gone_[t] != 0) continue;
+    const Corners at = corners(t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::uint32_t& n = number[at[k]];
+      if (n == none) {
+        n = static_cast<std::uint32_t>(positions.size());
+        positions.push_back(positions_[at[k]]);
+      }
+      triangles_.indices[3 * kept + k] = n;
+    }
+    triangles_.source[kept++] = triangles_.source[t];
+  }
+  positions_ = std::move(positions);
+  triangles_.indices.resize(3 * kept);
+  triangles_.source.resize(kept);
+}
+
 void RoundedTriangles::move_into(RoundedMesh& result) {
+  if (any_gone_) drop_what_is_gone();
   result.mesh.face_sizes.assign(size(), 3);
   result.mesh.positions = std::move(positions_);
   result.mesh.indices = std::move(triangles_.indices);

@@ -16,6 +16,7 @@ struct MeshPart {
   RoundedSurface rounded;
   std::vector<RoundedSurface::Corners> corners;  ///< as they were at first
   std::vector<std::uint32_t> triangle, vertex;   ///< their numbers in the mesh
+  bool is_manifold = true;                       ///< no edge has more than two triangles
 };
 
 class RoundedTriangles {
@@ -35,6 +36,11 @@ class RoundedTriangles {
     const std::size_t i = 3 * std::size_t(t);
     return {triangles_.indices[i], triangles_.indices[i + 1], triangles_.indices[i + 2]};
   }
+  /// Where a vertex is now, or the one to which it was joined.
+  const Vec3& position(std::uint32_t vertex) const {
+    while (gone_to_[vertex] != none) vertex = gone_to_[vertex];
+    return positions_[vertex];
+  }
   const std::vector<Vec3>& positions() const { return positions_; }
   const std::vector<std::uint32_t>& indices() const { return triangles_.indices; }
   bool one_shell() const { return one_shell_; }
@@ -45,17 +51,18 @@ class RoundedTriangles {
 
   /// Those with a corner that is not at its place, or changed since.
   Triangles unsettled() const;
+  bool is_unsettled(std::uint32_t t) const;
   /// All whose boxes meet one of theirs.
   Triangles around(const Triangles& triangles) const;
   /// All that are no more than `rings` vertices away from theirs.
   Triangles neighbours(const Triangles& triangles, int rings) const;
 
-  /// Triangles in ascending order. Only what concerns those in `suspects`, also ascending, is to be
-  /// tested. Vertices with neighbours that are not in the part are fixed.
+  /// Triangles in ascending order. Only what concerns those in `suspects` is to be tested. Vertices
+  /// with neighbours that are not in the part are fixed.
   MeshPart part(Triangles triangles, const Triangles& suspects) const;
-  /// Takes over what was changed in a part, of which no triangle vanished; returns the triangles
-  /// that are not as they were.
-  Triangles take_back(const MeshPart& part);
+  /// Takes over what was changed in a part; returns the triangles that are there and not as they
+  /// were. `gone_to`: per vertex of the part, the one to which it was joined, or itself.
+  Triangles take_back(const MeshPart& part, const std::vector<std::uint32_t>& gone_to);
 
   /// Has each shell a triangle that stayed, and that nothing has moved past? Then what lies on both
   /// its sides is what it was, as on all of a shell that no other crosses: no shell was turned
@@ -69,11 +76,15 @@ class RoundedTriangles {
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
   void round(const SolidData& data, const RoundingGrid& grid);
+  void note_moved(std::uint32_t vertex, const Vec3& from, bool was_exact);
+  void drop_what_is_gone();
   Vec3 place_of(std::uint32_t vertex) const {
     return moved_at_[vertex] == none ? positions_[vertex] : moved_[moved_at_[vertex]].from;
   }
-  void note_swept(const Bounds& bounds);
-  void add_vertex(MeshPart& part, std::uint32_t vertex) const;
+  static Box with_places(const Bounds& bounds);
+  std::vector<std::uint8_t> marks(const Triangles& triangles) const;
+  std::vector<std::uint32_t> number_vertices(MeshPart& part) const;
+  void add_vertices(MeshPart& part) const;
   Box box(std::uint32_t t) const;
   template <class SlotWanted, class Wanted>
   Triangles select(const SlotWanted& slot_wanted, const Wanted& wanted) const;
@@ -85,8 +96,11 @@ class RoundedTriangles {
   std::vector<Moved> moved_;
   std::vector<std::uint32_t> moved_at_;   // per vertex: index of the above, or none
   std::vector<std::uint8_t> is_changed_;  // per triangle
-  std::vector<Box> swept_;                // of what triangles passed through
-  std::vector<Box> bounds_;               // per slot
+  std::vector<std::uint8_t> is_gone_;     // per triangle
+  std::vector<std::uint32_t> gone_to_;    // per vertex that was joined to another one; or none
+  bool any_gone_ = false;
+  std::vector<Box> swept_;   // of what triangles passed through
+  std::vector<Box> bounds_;  // per slot
 };
 
 }  // namespace sectile

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "geometry/axes.h"
-#include "import/soup.h"
 #include "rounding/enclosed_volume.h"
 #include "rounding/resolved.h"
 #include "rounding/separation.h"
+#include "rounding/wrong_shell.h"
 #include "search/box_tree.h"
 #include "sectile/errors.h"
 
@@ -90,15 +90,8 @@ void RoundingAttempt::make_mesh() {
 // triangle of it, or none.
 std::uint32_t RoundingAttempt::wrong_shell() const {
   if (is_one_shell() && clearly_encloses_volume(mesh_.positions, mesh_.indices)) return none;
-  try {
-    ImportOptions how;
-    how.trusted = true;  // the faces were tested
-    how.cancel = options_.cancel;
-    import_mesh(mesh_, how);
-    return none;
-  } catch (const InvalidSolid& error) {
-    return error.face() == no_element ? triangle_.front() : triangle_[error.face()];
-  }
+  const std::optional<std::uint32_t> face = face_of_wrong_shell(mesh_, options_.cancel);
+  return face ? triangle_[*face] : none;
 }
 
 bool RoundingAttempt::is_one_shell() const {

@@ -38,6 +38,12 @@ class RoundingRepair {
     while (gone_to_[vertex] != vertex) vertex = gone_to_[vertex];
     return vertex;
   }
+  /// That of each.
+  std::vector<std::uint32_t> gone_to() const {
+    std::vector<std::uint32_t> to(gone_to_.size());
+    for (std::uint32_t v = 0; v < to.size(); ++v) to[v] = gone_to(v);
+    return to;
+  }
   std::size_t merged() const { return merged_; }
   std::size_t flipped() const { return flipped_; }
   /// How far the surface moved where an edge became the other diagonal, and where.

@@ -279,6 +279,46 @@ TEST(Rounding, SeamsOfBallsAreMendedBlockByBlock) {
   EXPECT_GT(flipped, 20u);
 }
 
+// All corners of both move, and some come to be at one place. What is thin there may vanish, as it
+// does where the whole is looked at.
+TEST(Rounding, CornersThatACoarseGridJoins) {
+  const Solid ball = transformed(sphere(1, 64, 32), Transform::rotation_degrees({1, 1, 3}, 20));
+  Rounding coarse;
+  coarse.numbers = Rounding::Numbers::grid;
+  std::size_t merged = 0;
+  for (const double spacing : {0.004, 0.02}) {
+    coarse.spacing = spacing;
+    Rounding whole = coarse;
+    whole.separate_touching = true;
+    for (const Operation operation :
+         {Operation::unite, Operation::intersect, Operation::subtract}) {
+      const Solid result =
+          boolean(ball, transformed(ball, Transform::translation({0.7, 0.31, 0.13})), operation);
+      const RoundedMesh written = expect_legal(result, coarse);
+      merged += written.report.merged;
+      EXPECT_LE(written.report.displaced, written.report.moved);
+      EXPECT_EQ(Solid::from_mesh(written.mesh).counts().shells,
+                Solid::from_mesh(rounded_mesh(result, whole).mesh).counts().shells);
+    }
+  }
+  EXPECT_GT(merged, 50u);
+}
+
+// The small one has corners in one place of the grid, or in a few of one plane.
+TEST(Rounding, AShellThatIsTooSmallForTheGridVanishes) {
+  const Solid ball = sphere(1, 64, 32), crumb = sphere(0.0004, 12, 8);
+  Rounding coarse;
+  coarse.numbers = Rounding::Numbers::grid;
+  coarse.spacing = 0.002;
+  const Solid both =
+      boolean(ball, transformed(crumb, Transform::translation({1.5001, 0, 0})), Operation::unite);
+  ASSERT_EQ(both.counts().shells, 2u);
+  const RoundedMesh written = expect_legal(both, coarse);
+  EXPECT_GT(written.report.merged, 0u);
+  EXPECT_EQ(Solid::from_mesh(written.mesh).counts().shells, 1u);
+  EXPECT_TRUE(rounded_mesh(crumb, coarse).mesh.face_sizes.empty());
+}
+
 // Two caps, and what is left of a ball around a hollow.
 TEST(Rounding, ShellsOfOneSolid) {
   const Solid ball = sphere(1, 64, 32), core = sphere(0.5, 64, 32),
