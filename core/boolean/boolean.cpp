@@ -9,6 +9,7 @@
 #include "boolean/components/components.h"
 #include "boolean/gluing/gluing.h"
 #include "boolean/report/report.h"
+#include "boolean/same_faces.h"
 #include "boolean/save_operands.h"
 #include "sectile/errors.h"
 #include "storage/shared_points.h"
@@ -117,12 +118,32 @@ Solid boolean(const Solid& a, const Solid& b, Operation operation) {
   return boolean(a, b, operation, BooleanOptions{});
 }
 
+namespace {
+
+// Boxes and numbers of faces tell nearly all others apart.
+bool are_the_same(const SolidData& a, const SolidData& b) {
+  if (&a == &b) return true;
+  const Box &of_a = a.slot_tree().bounds(), &of_b = b.slot_tree().bounds();
+  return a.face_count() == b.face_count() && std::ranges::equal(of_a.low, of_b.low) &&
+         std::ranges::equal(of_a.high, of_b.high) && have_same_faces(a, b);
+}
+
+}  // namespace
+
 Solid boolean(const Solid& a, const Solid& b, Operation operation, const BooleanOptions& options) {
   if (a.is_empty() || b.is_empty()) {
     if (operation == Operation::intersect) return Solid();
     if (operation == Operation::unite && a.is_empty()) return b;
     return a;
   }
+  // Nothing has to be cut, but whoever follows the phases sees how it would be.
+  if (!options.observer && are_the_same(operand(a, options), operand(b, options)))
+    return operation == Operation::subtract ? Solid() : a;
+  return boolean_by_cutting(a, b, operation, options);
+}
+
+Solid boolean_by_cutting(const Solid& a, const Solid& b, Operation operation,
+                         const BooleanOptions& options) {
   try {
     Workspace w(options);
     FacePairs pairs;

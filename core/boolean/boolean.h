@@ -14,6 +14,9 @@ inline BooleanOptions without_observer(BooleanOptions options) {
   options.observer = nullptr;
   return options;
 }
+/// What boolean() does with two solids of which neither is empty, even if they are the same.
+Solid boolean_by_cutting(const Solid& a, const Solid& b, Operation operation,
+                         const BooleanOptions& options);
 /// Loads the faces that may meet; `pairs` are pairs of loaded faces, ascending.
 void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs);
 /// Both operands are one solid, of which nothing but the faces in some of its slots can be loaded.

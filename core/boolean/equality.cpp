@@ -1,7 +1,7 @@
 // Equality of point sets: two regular sets are equal if neither has a part outside the other.
+#include "boolean/boolean.h"
 #include "boolean/same_faces.h"
 #include "import/measure.h"
-#include "sectile/boolean.h"
 
 namespace sectile {
 namespace {
@@ -20,8 +20,8 @@ bool operator==(const Solid& a, const Solid& b) {
       differ(two_areas_of(*a.data()), two_areas_of(*b.data())))
     return false;
   if (have_same_faces(*a.data(), *b.data())) return true;
-  return boolean(a, b, Operation::subtract).is_empty() &&
-         boolean(b, a, Operation::subtract).is_empty();
+  return boolean_by_cutting(a, b, Operation::subtract, {}).is_empty() &&
+         boolean_by_cutting(b, a, Operation::subtract, {}).is_empty();
 }
 
 }  // namespace sectile

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <sstream>
 
+#include "boolean/boolean.h"
 #include "sectile/errors.h"
 
 namespace sectile::test {
@@ -24,9 +25,13 @@ Solid imported(const Complex& complex, Mask mask, Meshing how) {
 
 std::string fault_of(const PairCheck& check, const Solid& a, const Solid& b, const Pair& pair,
                      Operation operation) {
+  const auto fault_in = [&](const Solid& result) {
+    return fault(result, check.complex, combined(pair.a, pair.b, operation), check.geometry);
+  };
   try {
-    return fault(boolean(a, b, operation), check.complex, combined(pair.a, pair.b, operation),
-                 check.geometry);
+    const std::string found = fault_in(boolean(a, b, operation));
+    if (!found.empty() || pair.a != pair.b) return found;
+    return fault_in(boolean_by_cutting(a, b, operation, {}));  // which is not done for equal faces
   } catch (const Error& error) {
     return error.what();
   }

@@ -1,6 +1,7 @@
 // Booleans in which very many things meet in one place.
 #include <gtest/gtest.h>
 
+#include "boolean/boolean.h"
 #include "growth/steps.h"
 #include "sectile/boolean.h"
 #include "sectile/primitives.h"
@@ -18,7 +19,7 @@ TEST(Growth, ConesThatShareAnApexHalfAStepTurned) {
                   const Solid a = cone(1, 0, 1, sides),
                               b = transformed(a, Transform::rotation_degrees(
                                                      {0, 0, 1}, 180.0 / static_cast<double>(n)));
-                  boolean(a, a, Operation::unite);  // trees
+                  boolean_by_cutting(a, a, Operation::unite, {});  // trees
                   return [a, b] { boolean(a, b, Operation::subtract); };
                 },
                 500),

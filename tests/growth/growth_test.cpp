@@ -259,6 +259,16 @@ TEST(Growth, TakingAwayAFineSolidThatTouchesItself) {
   EXPECT_LT((steps(320000) - steps(20000)) / 300000, 60);
 }
 
+// Faces that are the same are found to be, and not cut at each other's edges.
+TEST(Growth, TakingAwayASolidsEqual) {
+  const auto steps = [](std::size_t n) {
+    const PolygonMesh mesh = sphere_of(n).to_mesh();
+    const Solid ball = Solid::from_mesh(mesh), equal = Solid::from_mesh(mesh);
+    return static_cast<double>(steps_of([&] { boolean(ball, equal, Operation::subtract); }));
+  };
+  EXPECT_LT((steps(80000) - steps(20000)) / 60000, 2500);
+}
+
 // Of a moved solid, only the points of blocks near the other one are made.
 TEST(Growth, ASmallCutInALargeMovedSolid) {
   const Solid tool = block({0.9, -0.05, -0.05}, {1.2, 0.05, 0.05});

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "boolean/boolean.h"
 #include "sectile/sectile.h"
 #include "storage/cut_into_blocks.h"
 #include "topology/links.h"
@@ -286,8 +287,8 @@ TEST(Blocks, WhatTouchesItselfWherePlanesMeet) {
 
 TEST(Blocks, ASolidMinusItselfIsEmpty) {
   const Solid solid = many_faces();
-  EXPECT_TRUE(boolean(solid, solid, Operation::subtract).is_empty());
-  EXPECT_EQ(boolean(solid, solid, Operation::unite), solid);
+  EXPECT_TRUE(boolean_by_cutting(solid, solid, Operation::subtract, {}).is_empty());
+  EXPECT_EQ(boolean_by_cutting(solid, solid, Operation::unite, {}), solid);
 }
 
 TEST(Blocks, ATracedOperationNamesEntitiesOfTheWholeSolid) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "boolean/boolean.h"
 #include "boolean/same_faces.h"
 #include "sectile/sectile.h"
 
@@ -33,6 +34,27 @@ TEST(Equality, OfOneResultComputedTwice) {
   const Solid b = boolean(ball({0.7, 0.1, 0.2}), ball({0, 0, 0}), Operation::unite);
   EXPECT_TRUE(same_faces(a, b));
   EXPECT_EQ(a, b);
+}
+
+// Nothing is cut: what stays is the first one, as it is.
+TEST(Equality, OfOperands) {
+  const Solid a = boolean(ball({0, 0, 0}), ball({0.7, 0.1, 0.2}), Operation::unite);
+  const Solid b = boolean(ball({0.7, 0.1, 0.2}), ball({0, 0, 0}), Operation::unite);
+  for (const Solid* other : {&a, &b}) {
+    EXPECT_EQ(boolean(a, *other, Operation::unite).data(), a.data());
+    EXPECT_EQ(boolean(a, *other, Operation::intersect).data(), a.data());
+    EXPECT_TRUE(boolean(a, *other, Operation::subtract).is_empty());
+  }
+}
+
+TEST(Equality, OfOperandsAsCuttingHasIt) {
+  const Solid a = boolean(ball({0, 0, 0}), ball({0.7, 0.1, 0.2}), Operation::unite);
+  const Solid b = boolean(ball({0.7, 0.1, 0.2}), ball({0, 0, 0}), Operation::unite);
+  for (const Solid* other : {&a, &b}) {
+    EXPECT_TRUE(same_faces(boolean_by_cutting(a, *other, Operation::unite, {}), a));
+    EXPECT_TRUE(same_faces(boolean_by_cutting(a, *other, Operation::intersect, {}), a));
+    EXPECT_TRUE(boolean_by_cutting(a, *other, Operation::subtract, {}).is_empty());
+  }
 }
 
 TEST(Equality, OfTheComplementOfTheComplement) {
