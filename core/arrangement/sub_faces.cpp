@@ -4,6 +4,7 @@
 #include <map>
 
 #include "arrangement/plane_regions.h"
+#include "arrangement/self_touching.h"
 #include "boolean/collect.h"
 #include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
@@ -11,10 +12,11 @@
 namespace sectile::arrangement {
 namespace {
 
-// Faces that overlap in one plane, and each face that others meet, in groups.
+// Faces that overlap in one plane, and each face that others or it itself meet, in groups.
 class Groups {
  public:
-  Groups(const Facets& facets, const std::vector<FacePair>& pairs, const Traces& traces)
+  Groups(const Facets& facets, const std::vector<FacePair>& pairs, const Traces& traces,
+         const std::vector<std::uint8_t>& touches_itself)
       : facets_(facets), traces_(traces), sets_(facets.face_count()) {
     std::vector<std::uint8_t> overlaps(sets_.size(), 0);
     for (const FacePair& pair : pairs)
@@ -25,7 +27,7 @@ class Groups {
     std::vector<std::uint32_t> number(sets_.size(), none);
     divided.assign(sets_.size(), 0);
     for (std::uint32_t f = 0; f < sets_.size(); ++f) {
-      if (!overlaps[f] && !is_met(f)) continue;
+      if (!overlaps[f] && !touches_itself[f] && !is_met(f)) continue;
       divided[f] = 1;
       std::uint32_t& n = number[sets_.first(f)];
       if (n == none) {
@@ -181,6 +183,26 @@ void divide_planes(std::vector<PlanePieces>& planes, const Facets& facets, const
   });
 }
 
+// Those in pairs, those that touch themselves, and their neighbours: an edge lies in both.
+std::vector<std::uint8_t> faces_to_look_at(const Facets& facets, const std::vector<FacePair>& pairs,
+                                           const std::vector<std::uint8_t>& touches_itself) {
+  std::vector<std::uint8_t> wanted(facets.face_count(), 0);
+  for (const FacePair& pair : pairs) wanted[pair.f] = wanted[pair.g] = 1;
+  std::vector<PointId> corners;
+  const auto for_each_corner = [&](std::uint32_t f, const auto& visit) {
+    for (std::uint32_t c = facets.begin(f); c < facets.end(f); ++c) visit(facets.from(c));
+  };
+  for (std::uint32_t f = 0; f < wanted.size(); ++f)
+    if (touches_itself[f]) for_each_corner(f, [&](PointId p) { corners.push_back(p); });
+  if (corners.empty()) return wanted;
+  std::sort(corners.begin(), corners.end());
+  for (std::uint32_t f = 0; f < wanted.size(); ++f)
+    for_each_corner(f, [&](PointId p) {
+      wanted[f] = wanted[f] || std::binary_search(corners.begin(), corners.end(), p);
+    });
+  return wanted;
+}
+
 }  // namespace
 
 BoxTree tree_of(const Facets& facets, const Geometry& geometry) {
@@ -201,14 +223,14 @@ SubFaces arrange(const Facets& facets, const BoxTree& tree, Counting counting, G
   const std::vector<std::uint8_t> convex = find_convex(facets, kernel);
   const std::vector<FacePair> pairs = find_pairs(facets, tree, convex, kernel, steering);
   steering.step(0.3);
-  std::vector<std::uint8_t> wanted(facets.face_count(), 0);
-  for (const FacePair& pair : pairs) wanted[pair.f] = wanted[pair.g] = 1;
+  const std::vector<std::uint8_t> touches_itself = find_self_touching(facets, convex, kernel);
+  const std::vector<std::uint8_t> wanted = faces_to_look_at(facets, pairs, touches_itself);
   const EdgeLines lines(facets, wanted, geometry, kernel);
   std::vector<PointId> first_at;
   const Traces traces =
       find_traces(facets, pairs, convex, lines, wanted, geometry, kernel, first_at, steering);
   steering.step(0.5);
-  const Groups groups(facets, pairs, traces);
+  const Groups groups(facets, pairs, traces, touches_itself);
   std::vector<PlanePieces> planes;
   planes.reserve(groups.groups.size());
   for (const auto& group : groups.groups) planes.emplace_back(facets, lines, traces, group);

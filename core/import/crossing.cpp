@@ -31,51 +31,98 @@ bool is_convex(const Kernel& kernel, int axis, const std::vector<Edge>& edges) {
   return true;
 }
 
-bool any_pair_crosses(const Kernel& kernel, int axis, const std::vector<Edge>& edges) {
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    for (std::size_t j = i + 2; j < edges.size(); ++j)
-      if (cross(kernel, axis, edges[i], edges[j])) return true;
-  return false;
-}
-
-bool any_overlap_crosses(const Kernel& kernel, int axis, const std::vector<Edge>& edges) {
-  const Geometry& g = kernel.geometry();
-  std::vector<Box> boxes;
-  boxes.reserve(edges.size());
-  for (const Edge& e : edges) {
-    Bounds bounds;
-    bounds.add(g.position(e.from));
-    bounds.add(g.position(e.to));
-    boxes.push_back(bounds.box());
+// The edges of all loops, as seen along an axis.
+class Edges {
+ public:
+  Edges(const Kernel& kernel, int axis, std::span<const PointId> corners,
+        std::span<const std::uint32_t> loop_ends, CrossingFaces how)
+      : kernel_(kernel), axis_(axis), at_corners_(how == CrossingFaces::split) {
+    edges_.reserve(corners.size());
+    std::uint32_t begin = 0;
+    for (const std::uint32_t end : loop_ends) {
+      for (std::uint32_t i = begin; i < end; ++i) {
+        next_.push_back(i + 1 < end ? i + 1 : begin);
+        edges_.push_back({corners[i], corners[next_.back()]});
+      }
+      begin = end;
+    }
   }
-  const BoxTree tree(boxes);
-  bool found = false;
-  BoxTree::overlaps(tree, tree, [&](std::uint32_t i, std::uint32_t j) {
-    found = found || (i < j && cross(kernel, axis, edges[i], edges[j]));
-  });
-  return found;
-}
+
+  const std::vector<Edge>& all() const { return edges_; }
+
+  bool any_pair_crosses() const {
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+      for (std::size_t j = i + 1; j < edges_.size(); ++j)
+        if (meet(i, j)) return true;
+    return false;
+  }
+
+  bool any_overlap_crosses() const {
+    const Geometry& g = kernel_.geometry();
+    std::vector<Box> boxes;
+    boxes.reserve(edges_.size());
+    for (const Edge& e : edges_) {
+      Bounds bounds;
+      bounds.add(g.position(e.from));
+      bounds.add(g.position(e.to));
+      boxes.push_back(bounds.box());
+    }
+    const BoxTree tree(boxes);
+    bool found = false;
+    BoxTree::overlaps(tree, tree, [&](std::uint32_t i, std::uint32_t j) {
+      found = found || (i < j && meet(i, j));
+    });
+    return found;
+  }
+
+ private:
+  bool meet(std::size_t i, std::size_t j) const {
+    return cross(kernel_, axis_, edges_[i], edges_[j]) ||
+           (at_corners_ && (passes_at_end(i, j) || passes_at_end(j, i)));
+  }
+
+  // Does the loop go from one side of an edge to the other, or along it, in a corner that lies
+  // within the edge, which is where edge `to` ends?
+  bool passes_at_end(std::size_t edge, std::size_t to) const {
+    const Edge& e = edges_[edge];
+    const PointId corner = edges_[to].to;
+    if (corner == e.from || corner == e.to || turn(kernel_, axis_, e, corner) != Sign::zero ||
+        !is_between(e, corner))
+      return false;
+    const Sign before = turn(kernel_, axis_, e, edges_[to].from),
+               after = turn(kernel_, axis_, e, edges_[next_[to]].to);
+    return before == Sign::zero || before != after;
+  }
+
+  // Of a point on the edge's line.
+  bool is_between(const Edge& e, PointId p) const {
+    for (int k = 0; k < 3; ++k)
+      if (const Sign from = kernel_.compare(e.from, p, k); from != Sign::zero)
+        return from == kernel_.compare(p, e.to, k);
+    return false;
+  }
+
+  const Kernel& kernel_;
+  int axis_;
+  bool at_corners_;
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> next_;
+};
 
 }  // namespace
 
 bool edges_cross(const Kernel& kernel, int axis, bool behind, std::span<const PointId> corners,
-                 std::span<const std::uint32_t> loop_ends) {
-  std::vector<Edge> edges;
-  edges.reserve(corners.size());
-  std::uint32_t begin = 0;
-  for (const std::uint32_t end : loop_ends) {
-    for (std::uint32_t i = begin; i < end; ++i)
-      edges.push_back({corners[i], corners[i + 1 < end ? i + 1 : begin]});
-    begin = end;
-  }
+                 std::span<const std::uint32_t> loop_ends, CrossingFaces how) {
+  const Edges edges(kernel, axis, corners, loop_ends, how);
+  const std::size_t count = edges.all().size();
   // Four turns to one side make one round.
-  if (edges.size() == 4 && loop_ends.size() == 1 && is_convex(kernel, axis, edges)) return false;
+  if (count == 4 && loop_ends.size() == 1 && is_convex(kernel, axis, edges.all())) return false;
   constexpr std::size_t few = 16;
-  if (edges.size() <= few) return any_pair_crosses(kernel, axis, edges);
+  if (count <= few) return edges.any_pair_crosses();
   // Long slanted edges have boxes that overlap by the million; a sweep tells that nothing crosses,
   // as a rule.
-  if (RimSweep(kernel).winds_once(edges, axis, behind)) return false;
-  return any_overlap_crosses(kernel, axis, edges);
+  if (RimSweep(kernel).winds_once(edges.all(), axis, behind)) return false;
+  return edges.any_overlap_crosses();
 }
 
 }  // namespace sectile

@@ -99,8 +99,9 @@ class PlaneFinder {
       const auto loop = polygons_.face_corners(f);
       if (visits_twice(loop)) return Shape::touching;
       const std::uint32_t end[] = {static_cast<std::uint32_t>(loop.size())};
-      return edges_cross(kernel_, axis, is_behind(plane, axis), loop, end) ? Shape::crossing
-                                                                           : Shape::whole;
+      return edges_cross(kernel_, axis, is_behind(plane, axis), loop, end, crossing_)
+                 ? Shape::crossing
+                 : Shape::whole;
     }
     return shape_with_holes(f, axis);
   }
@@ -116,7 +117,7 @@ class PlaneFinder {
     const std::uint32_t begin = polygons_.loop_begin(polygons_.first_loop(f));
     for (std::uint32_t l = polygons_.first_loop(f); l < polygons_.face_end[f]; ++l)
       ends.push_back(polygons_.loop_end[l] - begin);
-    if (edges_cross(kernel_, axis, behind, corners, ends)) return Shape::crossing;
+    if (edges_cross(kernel_, axis, behind, corners, ends, crossing_)) return Shape::crossing;
     const FacePredicates exact(kernel_, axis, behind, corners);
     for (std::size_t l = 1; l < ends.size(); ++l)
       if (orientation(exact, ends[l - 1], ends[l]) == Sign::positive) return Shape::wrong_way_hole;
