@@ -120,12 +120,13 @@ Solid boolean(const Solid& a, const Solid& b, Operation operation) {
 
 namespace {
 
-// Boxes and numbers of faces tell nearly all others apart.
-bool are_the_same(const SolidData& a, const SolidData& b) {
+// Numbers of faces and boxes tell nearly all others apart.
+bool are_the_same(const SolidData& a, const SolidData& b, const BooleanOptions& options) {
   if (&a == &b) return true;
+  if (a.face_count() != b.face_count()) return false;
   const Box &of_a = a.slot_tree().bounds(), &of_b = b.slot_tree().bounds();
-  return a.face_count() == b.face_count() && std::ranges::equal(of_a.low, of_b.low) &&
-         std::ranges::equal(of_a.high, of_b.high) && have_same_faces(a, b);
+  return std::ranges::equal(of_a.low, of_b.low) && std::ranges::equal(of_a.high, of_b.high) &&
+         have_same_faces(a, b, options.cancel);
 }
 
 }  // namespace
@@ -137,7 +138,7 @@ Solid boolean(const Solid& a, const Solid& b, Operation operation, const Boolean
     return a;
   }
   // Nothing has to be cut, but whoever follows the phases sees how it would be.
-  if (!options.observer && are_the_same(operand(a, options), operand(b, options)))
+  if (!options.observer && are_the_same(operand(a, options), operand(b, options), options))
     return operation == Operation::subtract ? Solid() : a;
   return boolean_by_cutting(a, b, operation, options);
 }

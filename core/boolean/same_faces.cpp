@@ -5,6 +5,7 @@
 
 #include "geometry/kernel.h"
 #include "parallel/parallel.h"
+#include "sectile/errors.h"
 #include "storage/geometry_loader.h"
 
 namespace sectile {
@@ -121,15 +122,23 @@ std::vector<std::uint32_t> numbers_of_places(const Geometry& geometry) {
 
 }  // namespace
 
-bool have_same_faces(const SolidData& a, const SolidData& b) {
+bool have_same_faces(const SolidData& a, const SolidData& b, const std::atomic<bool>* cancel) {
+  const auto check = [cancel] {
+    if (cancel && cancel->load(std::memory_order_relaxed)) throw Cancelled();
+  };
   const std::vector<Placed> of_a = blocks_of(a), of_b = blocks_of(b);
   Geometry geometry;
   Faces rest_of_a, rest_of_b;
   rest_of_a.load(without(of_a, of_b), geometry);
+  check();
   rest_of_b.load(without(of_b, of_a), geometry);
   if (rest_of_a.size() != rest_of_b.size()) return false;
+  check();
   const std::vector<std::uint32_t> number = numbers_of_places(geometry);
-  return rest_of_a.in_order(number) == rest_of_b.in_order(number);
+  check();
+  const auto first = rest_of_a.in_order(number);
+  check();
+  return first == rest_of_b.in_order(number);
 }
 
 }  // namespace sectile

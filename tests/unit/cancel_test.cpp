@@ -58,6 +58,15 @@ void expect_cancelled(Options options, const Work& work) {
   EXPECT_THROW(work(options), Cancelled);
 }
 
+TEST(Cancel, StopsTheComparisonOfOperandsThatAreTheSame) {
+  const Solid a = sphere(1, 24, 12), b = sphere(1, 24, 12);
+  const std::atomic<bool> cancel{true};
+  BooleanOptions options;
+  EXPECT_NO_THROW(boolean(a, b, Operation::unite, options));
+  options.cancel = &cancel;
+  EXPECT_THROW(boolean(a, b, Operation::unite, options), Cancelled);
+}
+
 TEST(Cancel, StopsClassifications) {
   const Solid a = sphere(1, 24, 12), b = block({0, 0, 0}, {2, 2, 2});
   expect_cancelled(BooleanOptions{}, [&](const BooleanOptions& o) { classify(a, b, o); });

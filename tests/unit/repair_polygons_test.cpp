@@ -150,6 +150,8 @@ TEST(RepairPolygons, CellsOfThoseThatAreLegal) {
       return;
     }
     ++legal;
+    EXPECT_NEAR(solid.volume(), area_where(base, [](int w) { return w == 1; }), 1e-9);
+    EXPECT_EQ(area_where(base, [](int w) { return w != 0 && w != 1; }), 0);
     const Solid both[] = {solid, across};
     double volume[2] = {0, 0}, common = 0;
     for (const SolidCell& cell : cells(both)) {
