@@ -46,13 +46,6 @@ PlanePieces::PlanePieces(const Facets& facets, const EdgeLines& lines, const Tra
   for (const PointId p : points) pieces_.push_back({p, p, PlaneId(), none});
 }
 
-bool PlanePieces::is_within(const Kernel& kernel, PointId p, const Piece& piece) const {
-  for (int axis = 0; axis < 3; ++axis)
-    if (const Sign s = kernel.compare(piece.from, piece.to, axis); s != Sign::zero)
-      return kernel.compare(piece.from, p, axis) == s && kernel.compare(p, piece.to, axis) == s;
-  return false;
-}
-
 void PlanePieces::test(const Kernel& kernel, const EdgeLines& lines, std::uint32_t i,
                        std::uint32_t j) {
   const Piece &a = pieces_[i], &b = pieces_[j];
@@ -87,7 +80,7 @@ void PlanePieces::test(const Kernel& kernel, const EdgeLines& lines, std::uint32
   }
   const auto add = [&](PointId p, Sign at, std::uint32_t number, const Piece& piece) {
     if (at != Sign::zero || !piece.across.valid() || p == piece.from || p == piece.to) return;
-    if (is_within(kernel, p, piece)) incidences_.push_back({number, p, none});
+    if (kernel.is_between(piece.from, p, piece.to)) incidences_.push_back({number, p, none});
   };
   add(a.from, a_from, j, b);
   if (has_length_a) add(a.to, a_to, j, b);

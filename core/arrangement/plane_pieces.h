@@ -49,7 +49,6 @@ class PlanePieces {
 
  private:
   void test(const Kernel& kernel, const EdgeLines& lines, std::uint32_t i, std::uint32_t j);
-  bool is_within(const Kernel& kernel, PointId p, const Piece& piece) const;
 
   struct Incidence {
     std::uint32_t piece;

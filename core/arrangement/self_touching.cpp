@@ -47,11 +47,8 @@ class TouchTest {
   // Does a corner lie strictly between the ends of the edge that leaves corner c?
   bool is_within(PointId p, std::uint32_t c) const {
     const PointId from = facets_.from(c), to = facets_.to(c);
-    if (p == from || p == to || kernel_.turn(from, to, p, axis_) != Sign::zero) return false;
-    for (int axis = 0; axis < 3; ++axis)
-      if (const Sign way = kernel_.compare(from, to, axis); way != Sign::zero)
-        return kernel_.compare(from, p, axis) == way && kernel_.compare(p, to, axis) == way;
-    return false;
+    return p != from && p != to && kernel_.turn(from, to, p, axis_) == Sign::zero &&
+           kernel_.is_between(from, p, to);
   }
 
   const Facets& facets_;

@@ -348,6 +348,13 @@ Sign Kernel::compare(PointId p, PointId q, int axis) const {
   return minor(v.x[axis], v.w, u.x[axis], u.w).sign() * u.w.sign() * v.w.sign();
 }
 
+bool Kernel::is_between(PointId from, PointId p, PointId to) const {
+  for (int axis = 0; axis < 3; ++axis)
+    if (const Sign way = compare(from, to, axis); way != Sign::zero)
+      return compare(from, p, axis) == way && compare(p, to, axis) == way;
+  return false;
+}
+
 bool Kernel::same_point(PointId p, PointId q) const {
   if (p == q) return true;
   if (!(geometry_.position(p) == geometry_.position(q))) return false;

@@ -80,6 +80,8 @@ class Kernel {
   bool same_point(PointId p, PointId q) const;
   /// The sign of q - p on one axis.
   Sign compare(PointId p, PointId q, int axis) const;
+  /// Of three points on a line: does p lie strictly between the others?
+  bool is_between(PointId from, PointId p, PointId to) const;
   /// The sign of ((q - p) × (r - p)) · e_axis: the turn p, q, r seen against an axis.
   Sign turn(PointId p, PointId q, PointId r, int axis) const;
 

@@ -87,19 +87,11 @@ class Edges {
     const Edge& e = edges_[edge];
     const PointId corner = edges_[to].to;
     if (corner == e.from || corner == e.to || turn(kernel_, axis_, e, corner) != Sign::zero ||
-        !is_between(e, corner))
+        !kernel_.is_between(e.from, corner, e.to))
       return false;
     const Sign before = turn(kernel_, axis_, e, edges_[to].from),
                after = turn(kernel_, axis_, e, edges_[next_[to]].to);
     return before == Sign::zero || before != after;
-  }
-
-  // Of a point on the edge's line.
-  bool is_between(const Edge& e, PointId p) const {
-    for (int k = 0; k < 3; ++k)
-      if (const Sign from = kernel_.compare(e.from, p, k); from != Sign::zero)
-        return from == kernel_.compare(p, e.to, k);
-    return false;
   }
 
   const Kernel& kernel_;
