@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "search/box_tree.h"
+#include "search/edge_box.h"
 
 namespace sectile::arrangement {
 
@@ -92,12 +93,7 @@ void PlanePieces::find_crossings(const Kernel& kernel, const EdgeLines& lines) {
   const Geometry& g = kernel.geometry();
   std::vector<Box> boxes;
   boxes.reserve(pieces_.size());
-  for (const Piece& piece : pieces_) {
-    Bounds bounds;
-    bounds.add(g.position(piece.from));
-    bounds.add(g.position(piece.to));
-    boxes.push_back(bounds.box());
-  }
+  for (const Piece& piece : pieces_) boxes.push_back(edge_box(g, piece.from, piece.to));
   const auto count = static_cast<std::uint32_t>(pieces_.size());
   constexpr std::uint32_t few = 24;
   if (count <= few) {

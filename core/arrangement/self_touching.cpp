@@ -2,6 +2,7 @@
 
 #include "parallel/parallel.h"
 #include "search/box_tree.h"
+#include "search/edge_box.h"
 
 namespace sectile::arrangement {
 namespace {
@@ -30,12 +31,8 @@ class TouchTest {
     std::vector<Box> corners, edges;
     const std::uint32_t first = facets_.begin(face_);
     for (std::uint32_t c = first; c < facets_.end(face_); ++c) {
-      Bounds corner, edge;
-      corner.add(g.position(facets_.from(c)));
-      edge.add(g.position(facets_.from(c)));
-      edge.add(g.position(facets_.to(c)));
-      corners.push_back(corner.box());
-      edges.push_back(edge.box());
+      corners.push_back(edge_box(g, facets_.from(c), facets_.from(c)));
+      edges.push_back(edge_box(g, facets_.from(c), facets_.to(c)));
     }
     bool found = false;
     BoxTree::overlaps(BoxTree(corners), BoxTree(edges), [&](std::uint32_t i, std::uint32_t j) {

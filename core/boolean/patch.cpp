@@ -2,6 +2,7 @@
 
 #include "boolean/side_by_side.h"
 #include "geometry/kernel.h"
+#include "search/edge_box.h"
 #include "search/id_map.h"
 #include "sectile/errors.h"
 #include "storage/geometry_loader.h"
@@ -288,10 +289,7 @@ void find_boxes(Patch& patch, const Geometry& geometry) {
     if (corners < many_corners) continue;
     std::vector<Box> boxes;
     for_each_in_face(brep, FaceId(i), [&](HalfEdgeId h) {
-      Bounds edge;
-      edge.add(geometry.position(brep.point_of(brep.from(h))));
-      edge.add(geometry.position(brep.point_of(brep.to(h))));
-      boxes.push_back(edge.box());
+      boxes.push_back(edge_box(geometry, brep.point_of(brep.from(h)), brep.point_of(brep.to(h))));
       patch.tree_half_edges[i].push_back(h);
     });
     patch.half_edge_tree[i] = std::make_unique<BoxTree>(boxes);

@@ -1,6 +1,7 @@
 #include "import/crossing.h"
 
 #include "search/box_tree.h"
+#include "search/edge_box.h"
 #include "selftest/rim_sweep.h"
 
 namespace sectile {
@@ -61,12 +62,7 @@ class Edges {
     const Geometry& g = kernel_.geometry();
     std::vector<Box> boxes;
     boxes.reserve(edges_.size());
-    for (const Edge& e : edges_) {
-      Bounds bounds;
-      bounds.add(g.position(e.from));
-      bounds.add(g.position(e.to));
-      boxes.push_back(bounds.box());
-    }
+    for (const Edge& e : edges_) boxes.push_back(edge_box(g, e.from, e.to));
     const BoxTree tree(boxes);
     bool found = false;
     BoxTree::overlaps(tree, tree, [&](std::uint32_t i, std::uint32_t j) {

@@ -10,6 +10,7 @@
 #include "geometry/axes.h"
 #include "geometry/loop_area.h"
 #include "search/bucket_sort.h"
+#include "search/edge_box.h"
 #include "sectile/errors.h"
 #include "topology/euler.h"
 
@@ -211,14 +212,11 @@ class PartSettler {
       return;
     }
     for (std::uint32_t e = first; e < outer_end_[outer]; ++e)
-      if (meets(edge_box(outer_edges_[e]))) count.add(outer_edges_[e]);
+      if (meets(box(outer_edges_[e]))) count.add(outer_edges_[e]);
   }
 
-  Box edge_box(HalfEdgeId h) const {
-    Bounds edge;
-    edge.add(w_.geometry.position(brep_.point_of(brep_.from(h))));
-    edge.add(w_.geometry.position(brep_.point_of(brep_.to(h))));
-    return edge.box();
+  Box box(HalfEdgeId h) const {
+    return edge_box(w_.geometry, brep_.point_of(brep_.from(h)), brep_.point_of(brep_.to(h)));
   }
 
   void build_loop_tree() {
@@ -248,7 +246,7 @@ class PartSettler {
       for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
         if (!patch_.side(h).valid()) return;  // a null edge
         outer_edges_.push_back(h);
-        boxes.push_back(edge_box(h));
+        boxes.push_back(box(h));
       });
       areas_.push_back(area_of(l));
       outer_end_.push_back(static_cast<std::uint32_t>(outer_edges_.size()));

@@ -42,7 +42,7 @@ class OpenLines {
     const auto [low, high] = std::minmax({mesh_.from(corner).value(), mesh_.to(corner).value()});
     const std::uint64_t line = std::uint64_t(low) << 32 | high;
     for (std::size_t i = std::size_t(low) + 3 * std::size_t(high);; ++i) {
-      Slot& slot = slots_[i % slots_.size()];
+      Slot& slot = slots_[i & (slots_.size() - 1)];
       std::uint64_t known = no_line;
       if (std::atomic_ref(slot.line).compare_exchange_strong(known, line,
                                                              std::memory_order_relaxed) ||
