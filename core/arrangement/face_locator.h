@@ -2,13 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "arrangement/edge_lines.h"
 #include "arrangement/middle.h"
 #include "geometry/planar_ray.h"
 #include "geometry/probe.h"
-#include "search/box_tree.h"
+#include "search/outline_tree.h"
 
 namespace sectile::arrangement {
 
@@ -29,26 +30,25 @@ class FaceLocator {
         return lines_.across(c);
       }) != PlanarRay<Point>::Touch::nothing;
     };
-    if (const BoxTree* tree = trees_[face].get()) {
-      const int i = ray.i(), j = ray.j();
-      tree->query(
-          [&](const Box& b) {
-            return b.low[j] <= most(point, j) && least(point, j) <= b.high[j] &&
-                   b.high[i] >= least(point, i);
-          },
-          [&](std::uint32_t item) { add(facets_.begin(face) + item); });
+    if (const OutlineTree* outline = outlines_[face].get()) {
+      const std::uint32_t first = facets_.begin(face);
+      outline->cast_ray(
+          place(point, ray), [&](std::uint32_t edge) { add(first + edge); },
+          [&](std::uint32_t from, std::uint32_t to) {
+            ray.pass(facets_.from(first + from), facets_.from(first + to));
+          });
     } else {
       for (std::uint32_t c = facets_.begin(face); c < facets_.end(face) && !touched; ++c) add(c);
     }
     return touched || ray.odd();
   }
 
-  /// Calls visit(corner) for the edges of a face whose boxes meet a box; all of a small face.
+  /// Calls visit(corner) for the edges of a face that come near another one; all of a small face.
   template <class Visit>
-  void for_each_near(std::uint32_t face, const Box& box, const Visit& visit) const {
-    if (const BoxTree* tree = trees_[face].get())
-      tree->query([&](const Box& b) { return b.overlaps(box); },
-                  [&](std::uint32_t item) { visit(facets_.begin(face) + item); });
+  void for_each_near(std::uint32_t face, std::uint32_t other, const Visit& visit) const {
+    if (const OutlineTree* outline = outlines_[face].get())
+      outline->query(as_target(other),
+                     [&](std::uint32_t edge) { visit(facets_.begin(face) + edge); });
     else
       for (std::uint32_t c = facets_.begin(face); c < facets_.end(face); ++c) visit(c);
   }
@@ -67,15 +67,24 @@ class FaceLocator {
     return true;
   }
 
-  static double least(const Probe& p, int axis) { return component(p.position(), axis); }
-  static double most(const Probe& p, int axis) { return component(p.position(), axis); }
-  static double least(const Middle& p, int axis) { return p.least(axis); }
-  static double most(const Middle& p, int axis) { return p.most(axis); }
+  OutlineTree::Target as_target(std::uint32_t face) const;
+
+  template <class Point>
+  static OutlineTree::Place place(const Point& point, const PlanarRay<Point>& ray) {
+    const auto [low_i, high_i] = bounds(point, ray.i());
+    const auto [low_j, high_j] = bounds(point, ray.j());
+    return {{low_i, low_j}, {high_i, high_j}};
+  }
+  static std::pair<double, double> bounds(const Probe& p, int axis) {
+    const double at = component(p.position(), axis);
+    return {at, at};
+  }
+  static std::pair<double, double> bounds(const Middle& p, int axis) { return p.bounds(axis); }
 
   const Facets& facets_;
   const EdgeLines& lines_;
   const Kernel& kernel_;
-  std::vector<std::unique_ptr<BoxTree>> trees_;  // per face
+  std::vector<std::unique_ptr<OutlineTree>> outlines_;  // per face of many corners
 };
 
 }  // namespace sectile::arrangement

@@ -1,6 +1,9 @@
 #include "arrangement/middle.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "numbers/rounding.h"
 
 namespace sectile::arrangement {
 namespace {
@@ -46,13 +49,14 @@ Sign Middle::compare(PointId r, int axis) const {
   return minor(v.x[axis], v.w, m.x[axis], m.w).sign() * v.w.sign();
 }
 
-double Middle::least(int axis) const {
+// Both ends are off by half an ulp, their halves' sum by another one, and what it is compared with
+// by half an ulp of its own: two of the larger end in all.
+std::pair<double, double> Middle::bounds(int axis) const {
   const Geometry& g = kernel_.geometry();
-  return std::min(component(g.position(p_), axis), component(g.position(q_), axis));
-}
-double Middle::most(int axis) const {
-  const Geometry& g = kernel_.geometry();
-  return std::max(component(g.position(p_), axis), component(g.position(q_), axis));
+  const double p = component(g.position(p_), axis), q = component(g.position(q_), axis);
+  const double middle = 0.5 * p + 0.5 * q;
+  const double error = 8 * rounding::unit * std::max(std::abs(p), std::abs(q)) + 0x1p-1000;
+  return {std::max(std::min(p, q), middle - error), std::min(std::max(p, q), middle + error)};
 }
 
 ExactPoint exact_centre(const Kernel& kernel, PointId p, PointId q, PointId r) {

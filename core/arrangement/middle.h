@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "geometry/kernel.h"
 
@@ -15,9 +16,9 @@ class Middle {
   Sign side(PlaneId plane) const;
   /// The sign of r - (this point) on one axis.
   Sign compare(PointId r, int axis) const;
-  /// Bounds of a coordinate.
-  double least(int axis) const;
-  double most(int axis) const;
+  /// Bounds of a coordinate; they hold for any point that is rounded to nearest, too, when it is
+  /// compared with them.
+  std::pair<double, double> bounds(int axis) const;
 
  private:
   const ExactPoint& exact() const;

@@ -5,6 +5,8 @@
 
 #include "boolean/collect.h"
 #include "parallel/parallel.h"
+#include "search/needles.h"
+#include "search/oriented_tree.h"
 
 namespace sectile::arrangement {
 namespace {
@@ -194,6 +196,17 @@ bool turns_back(const Facets& facets, std::uint32_t c, std::uint32_t d, const Ke
   return true;
 }
 
+// Of the faces, if many are long, thin and slanted.
+std::optional<OrientedTree> oriented_tree_of(const Facets& facets, const BoxTree& tree,
+                                             const Geometry& geometry) {
+  const auto for_each_corner = [&](std::uint32_t f, const auto& add) {
+    for (const PointId p : facets.polygons.loop(facets.polygons.first_loop(f)))
+      add(geometry.position(p));
+  };
+  if (!has_slanted_needles(facets.face_count(), for_each_corner)) return {};
+  return OrientedTree(tree, for_each_corner);
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> find_convex(const Facets& facets, const Kernel& kernel) {
@@ -223,15 +236,21 @@ std::vector<FacePair> find_pairs(const Facets& facets, const BoxTree& tree,
                                  const std::vector<std::uint8_t>& convex, const Kernel& kernel,
                                  const Steering& steering) {
   const PairTest test(facets, convex, kernel);
+  const std::optional<OrientedTree> oriented = oriented_tree_of(facets, tree, kernel.geometry());
+  const OrientedTree* boxes = oriented ? &*oriented : nullptr;
+  const OrientedApart apart(tree, boxes, tree, boxes);
   const auto parts = tree.self_parts(512);
   using Found = std::vector<FacePair>;
   std::vector<FacePair> pairs;
   for (const Found& found : collect<Found>(parts.size(), 1, [&](std::size_t i, Found&out) {
          steering.check();
-         tree.self_overlaps(parts[i], [&](std::uint32_t f, std::uint32_t g) {
-           if (f > g) std::swap(f, g);
-           if (const auto how = test(f, g)) out.push_back({f, g, *how});
-         });
+         tree.self_overlaps(
+             parts[i],
+             [&](std::uint32_t f, std::uint32_t g) {
+               if (f > g) std::swap(f, g);
+               if (const auto how = test(f, g)) out.push_back({f, g, *how});
+             },
+             apart);
        }))
     append(pairs, found);
   parallel::sort(pairs.begin(), pairs.end());

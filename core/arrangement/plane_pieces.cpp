@@ -1,10 +1,11 @@
 #include "arrangement/plane_pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
-#include "search/box_tree.h"
 #include "search/edge_box.h"
+#include "search/piece_tree.h"
 
 namespace sectile::arrangement {
 
@@ -91,20 +92,23 @@ void PlanePieces::test(const Kernel& kernel, const EdgeLines& lines, std::uint32
 
 void PlanePieces::find_crossings(const Kernel& kernel, const EdgeLines& lines) {
   const Geometry& g = kernel.geometry();
-  std::vector<Box> boxes;
-  boxes.reserve(pieces_.size());
-  for (const Piece& piece : pieces_) boxes.push_back(edge_box(g, piece.from, piece.to));
   const auto count = static_cast<std::uint32_t>(pieces_.size());
   constexpr std::uint32_t few = 24;
   if (count <= few) {
+    std::array<Box, few> boxes;
+    for (std::uint32_t i = 0; i < count; ++i)
+      boxes[i] = edge_box(g, pieces_[i].from, pieces_[i].to);
     for (std::uint32_t i = 0; i < count; ++i)
       for (std::uint32_t j = i + 1; j < count; ++j)
         if (boxes[i].overlaps(boxes[j])) test(kernel, lines, i, j);
     return;
   }
-  const BoxTree tree(boxes);
-  for (const auto& part : tree.self_parts(1))
-    tree.self_overlaps(part, [&](std::uint32_t i, std::uint32_t j) { test(kernel, lines, i, j); });
+  std::vector<PieceTree::Edge> edges;
+  edges.reserve(count);
+  for (const Piece& piece : pieces_)
+    edges.push_back({g.position(piece.from), g.position(piece.to)});
+  PieceTree(edges).self_overlaps(
+      [&](std::uint32_t i, std::uint32_t j) { test(kernel, lines, i, j); });
 }
 
 void PlanePieces::divide(const Kernel& kernel, std::span<const PointId> made,

@@ -1,8 +1,7 @@
 #include "arrangement/self_touching.h"
 
 #include "parallel/parallel.h"
-#include "search/box_tree.h"
-#include "search/edge_box.h"
+#include "search/piece_tree.h"
 
 namespace sectile::arrangement {
 namespace {
@@ -28,16 +27,17 @@ class TouchTest {
  private:
   bool touches_in_boxes() const {
     const Geometry& g = kernel_.geometry();
-    std::vector<Box> corners, edges;
+    std::vector<PieceTree::Edge> corners, edges;
     const std::uint32_t first = facets_.begin(face_);
     for (std::uint32_t c = first; c < facets_.end(face_); ++c) {
-      corners.push_back(edge_box(g, facets_.from(c), facets_.from(c)));
-      edges.push_back(edge_box(g, facets_.from(c), facets_.to(c)));
+      corners.push_back({g.position(facets_.from(c)), g.position(facets_.from(c))});
+      edges.push_back({g.position(facets_.from(c)), g.position(facets_.to(c))});
     }
     bool found = false;
-    BoxTree::overlaps(BoxTree(corners), BoxTree(edges), [&](std::uint32_t i, std::uint32_t j) {
-      found = found || is_within(facets_.from(first + i), first + j);
-    });
+    PieceTree::overlaps(PieceTree(corners), PieceTree(edges),
+                        [&](std::uint32_t i, std::uint32_t j) {
+                          found = found || is_within(facets_.from(first + i), first + j);
+                        });
     return found;
   }
 

@@ -41,7 +41,7 @@ class ContactFinder {
   // The corners of a face on the plane of another one, and the edges that go through it.
   void pierce(std::uint32_t number, std::uint32_t face, std::uint32_t other, Contacts& out) const {
     const PlaneId plane = facets_.plane[other];
-    locator_.for_each_near(face, box(other), [&](std::uint32_t c) {
+    locator_.for_each_near(face, other, [&](std::uint32_t c) {
       const PointId u = facets_.from(c), v = facets_.to(c);
       const Sign at_u = is_corner(other, u) ? Sign::zero : kernel_.side(u, plane);
       if (at_u == Sign::zero) {
@@ -59,9 +59,8 @@ class ContactFinder {
 
   void find_corners(std::uint32_t number, std::uint32_t face, std::uint32_t other,
                     Contacts& out) const {
-    locator_.for_each_near(face, box(other), [&](std::uint32_t c) {
-      add_corner(number, facets_.from(c), other, out);
-    });
+    locator_.for_each_near(
+        face, other, [&](std::uint32_t c) { add_corner(number, facets_.from(c), other, out); });
   }
 
   void add_corner(std::uint32_t number, PointId corner, std::uint32_t other, Contacts& out) const {
@@ -74,14 +73,6 @@ class ContactFinder {
     for (std::uint32_t c = facets_.begin(face); c < facets_.end(face); ++c)
       if (facets_.from(c) == p) return true;
     return false;
-  }
-
-  Box box(std::uint32_t face) const {
-    Bounds bounds;
-    if (facets_.size(face) > 64) return Box::everything();
-    for (std::uint32_t c = facets_.begin(face); c < facets_.end(face); ++c)
-      bounds.add(kernel_.geometry().position(facets_.from(c)));
-    return bounds.box();
   }
 
   const Facets& facets_;

@@ -1,7 +1,6 @@
 #include "boolean/face_location.h"
 
 #include "boolean/ray_count.h"
-#include "geometry/axes.h"
 
 namespace sectile {
 namespace {
@@ -58,14 +57,8 @@ void locate(const Kernel& kernel, const Patch& patch, FaceId face, const Probe& 
   }
 
   RayCount count(kernel, patch, patch.plane(face), point, found);
-  if (const BoxTree* tree = patch.half_edge_tree[face.value()].get()) {
-    const int i = count.i(), j = count.j();
-    const double at_i = component(point.position(), i), at_j = component(point.position(), j);
-    const auto meets = [&](const Box& b) {
-      return b.low[j] <= at_j && at_j <= b.high[j] && b.high[i] >= at_i;
-    };
-    tree->query(meets,
-                [&](std::uint32_t item) { count.add(patch.tree_half_edges[face.value()][item]); });
+  if (const OutlineTree* outline = patch.outline[face.value()].get()) {
+    count.add(*outline, patch.outline_half_edges[face.value()]);
   } else {
     for_each_in_face(brep, face, [&](HalfEdgeId h) { count.add(h); });
   }

@@ -2,7 +2,6 @@
 
 #include "boolean/side_by_side.h"
 #include "geometry/kernel.h"
-#include "search/edge_box.h"
 #include "search/id_map.h"
 #include "sectile/errors.h"
 #include "storage/geometry_loader.h"
@@ -273,26 +272,33 @@ void pin_flat_edges(Patch& patch, Geometry& geometry, const Kernel& kernel) {
   }
 }
 
-void find_boxes(Patch& patch, const Geometry& geometry) {
+void find_boxes(Patch& patch, const Geometry& geometry, const Kernel& kernel) {
   const Brep& brep = patch.brep;
   patch.face_boxes.resize(patch.loaded_faces);
-  patch.half_edge_tree.resize(patch.loaded_faces);
-  patch.tree_half_edges.resize(patch.loaded_faces);
+  patch.outline.resize(patch.loaded_faces);
+  patch.outline_half_edges.resize(patch.loaded_faces);
+  std::vector<Vec3> corners;
+  std::vector<std::uint32_t> loop_ends;
   for (std::size_t i = 0; i < patch.loaded_faces; ++i) {
     Bounds bounds;
-    std::size_t corners = 0;
+    std::size_t count = 0;
     for_each_in_face(brep, FaceId(i), [&](HalfEdgeId h) {
       bounds.add(geometry.position(brep.point_of(brep.from(h))));
-      ++corners;
+      ++count;
     });
     patch.face_boxes[i] = bounds.box();
-    if (corners < many_corners) continue;
-    std::vector<Box> boxes;
-    for_each_in_face(brep, FaceId(i), [&](HalfEdgeId h) {
-      boxes.push_back(edge_box(geometry, brep.point_of(brep.from(h)), brep.point_of(brep.to(h))));
-      patch.tree_half_edges[i].push_back(h);
-    });
-    patch.half_edge_tree[i] = std::make_unique<BoxTree>(boxes);
+    if (count < many_corners) continue;
+    corners.clear();
+    loop_ends.clear();
+    for (LoopId l = brep.outer_loop[FaceId(i)]; l.valid(); l = brep.next_loop[l]) {
+      for_each_in_loop(brep, l, [&](HalfEdgeId h) {
+        corners.push_back(geometry.position(brep.point_of(brep.from(h))));
+        patch.outline_half_edges[i].push_back(h);
+      });
+      loop_ends.push_back(static_cast<std::uint32_t>(corners.size()));
+    }
+    patch.outline[i] =
+        std::make_unique<OutlineTree>(corners, loop_ends, kernel.main_axis(patch.plane(FaceId(i))));
   }
 }
 
@@ -305,7 +311,7 @@ void complete_patches(PerOperand<Patch>& patches, Geometry& geometry, Kernel& ke
     patch.root.resize(patch.brep.face_count());
     for (const FaceId f : patch.root.ids()) patch.root[f] = f;
     find_sides(patch, kernel);
-    find_boxes(patch, geometry);
+    find_boxes(patch, geometry, kernel);
   });
   for (Patch& patch : patches) pin_flat_edges(patch, geometry, kernel);
   kernel.refresh();

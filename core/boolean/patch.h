@@ -9,7 +9,7 @@
 
 #include "boolean/operand.h"
 #include "numbers/table.h"
-#include "search/box_tree.h"
+#include "search/outline_tree.h"
 #include "storage/solid_data.h"
 
 namespace sectile {
@@ -34,8 +34,8 @@ struct Patch {
   Table<EdgeId, std::uint8_t> flat;
 
   /// Per loaded face with many corners: a tree over its half-edges.
-  std::vector<std::unique_ptr<BoxTree>> half_edge_tree;
-  std::vector<std::vector<HalfEdgeId>> tree_half_edges;
+  std::vector<std::unique_ptr<OutlineTree>> outline;
+  std::vector<std::vector<HalfEdgeId>> outline_half_edges;
   std::vector<Box> face_boxes;
 
   std::size_t loaded_faces = 0, loaded_edges = 0, loaded_vertices = 0;

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "boolean/entity.h"
 #include "boolean/patch.h"
+#include "geometry/axes.h"
 #include "geometry/planar_ray.h"
 #include "geometry/probe.h"
+#include "search/outline_tree.h"
 
 namespace sectile {
 
@@ -16,15 +19,25 @@ class RayCount {
   /// `touched`: what holds the entities that the ray's point lies on; emptied first.
   RayCount(const Kernel& kernel, const Patch& patch, PlaneId plane, const Probe& point,
            std::vector<Entity>& touched)
-      : patch_(&patch), ray_(kernel, plane, point), touched_(touched) {
+      : patch_(&patch), point_(&point), ray_(kernel, plane, point), touched_(touched) {
     touched_.clear();
   }
 
-  int i() const { return ray_.i(); }
-  int j() const { return ray_.j(); }
   bool odd() const { return ray_.odd(); }
   /// The vertices and edges on which the point lies; several where the loops touch themselves.
   const std::vector<Entity>& touched() const { return touched_; }
+
+  /// All edges of an outline, whose numbers stand for these half-edges.
+  void add(const OutlineTree& outline, std::span<const HalfEdgeId> half_edges) {
+    const Vec3& at = point_->position();
+    const double i = component(at, ray_.i()), j = component(at, ray_.j());
+    const auto start = [&](std::uint32_t corner) {
+      return patch_->brep.point_of(patch_->brep.from(half_edges[corner]));
+    };
+    outline.cast_ray(
+        {{i, j}, {i, j}}, [&](std::uint32_t edge) { add(half_edges[edge]); },
+        [&](std::uint32_t from, std::uint32_t to) { ray_.pass(start(from), start(to)); });
+  }
 
   void add(HalfEdgeId h) {
     using Touch = PlanarRay<Probe>::Touch;
@@ -49,6 +62,7 @@ class RayCount {
   }
 
   const Patch* patch_;
+  const Probe* point_;
   PlanarRay<Probe> ray_;
   std::vector<Entity>& touched_;
 };

@@ -27,6 +27,14 @@ class PlanarRay {
   /// After all edges of a face, none of which touches the point: is it inside?
   bool odd() const { return odd_; }
 
+  /// A stretch of a loop from u to v that meets the line of the ray on the ray only, and not in the
+  /// point.
+  void pass(PointId u, PointId v) {
+    const bool u_below = point_->compare(u, j_) == Sign::negative,
+               v_below = point_->compare(v, j_) == Sign::negative;
+    if (u_below != v_below) odd_ = !odd_;
+  }
+
   /// An edge from u to v, with the face on its left; across() gives a plane through it that is not
   /// parallel to the face's.
   template <class Across>

@@ -1,7 +1,6 @@
 #include "import/crossing.h"
 
-#include "search/box_tree.h"
-#include "search/edge_box.h"
+#include "search/piece_tree.h"
 #include "selftest/rim_sweep.h"
 
 namespace sectile {
@@ -60,14 +59,12 @@ class Edges {
 
   bool any_overlap_crosses() const {
     const Geometry& g = kernel_.geometry();
-    std::vector<Box> boxes;
-    boxes.reserve(edges_.size());
-    for (const Edge& e : edges_) boxes.push_back(edge_box(g, e.from, e.to));
-    const BoxTree tree(boxes);
+    std::vector<PieceTree::Edge> edges;
+    edges.reserve(edges_.size());
+    for (const Edge& e : edges_) edges.push_back({g.position(e.from), g.position(e.to)});
     bool found = false;
-    BoxTree::overlaps(tree, tree, [&](std::uint32_t i, std::uint32_t j) {
-      found = found || (i < j && meet(i, j));
-    });
+    PieceTree(edges).self_overlaps(
+        [&](std::uint32_t i, std::uint32_t j) { found = found || meet(i, j); });
     return found;
   }
 

@@ -82,7 +82,12 @@ class BoxTree {
   std::vector<SelfPart> self_parts(std::size_t least) const;
   /// Calls visit(item, other item) once for every pair of overlapping boxes in a part.
   template <class Visit>
-  void self_overlaps(const SelfPart& part, Visit&& visit) const;
+  void self_overlaps(const SelfPart& part, Visit&& visit) const {
+    self_overlaps(part, visit, NothingApart());
+  }
+  /// The same without what `apart` knows to be apart.
+  template <class Visit, class Apart>
+  void self_overlaps(const SelfPart& part, Visit&& visit, const Apart& apart) const;
 
  private:
   Node root() const { return {static_cast<std::uint32_t>(levels_.size() - 1), 0}; }
@@ -133,22 +138,21 @@ class BoxTree {
   std::vector<std::vector<std::uint32_t>> group_levels_;
 };
 
-template <class Visit>
-void BoxTree::self_overlaps(const SelfPart& part, Visit&& visit) const {
+template <class Visit, class Apart>
+void BoxTree::self_overlaps(const SelfPart& part, Visit&& visit, const Apart& apart) const {
   const auto [p, q] = std::pair(part.p, part.q);
   if (p.level != q.level || p.index != q.index) {
     overlaps(
-        *this, p, *this, q, visit, [](std::uint32_t, std::uint32_t) { return false; },
-        NothingApart());
+        *this, p, *this, q, visit, [](std::uint32_t, std::uint32_t) { return false; }, apart);
     return;
   }
   if (p.level > 0) {
     const Node first = child(p, 0);
-    self_overlaps(SelfPart(first, first), visit);
+    self_overlaps(SelfPart(first, first), visit, apart);
     if (!has_second_child(p)) return;
     const Node second = child(p, 1);
-    self_overlaps(SelfPart(second, second), visit);
-    self_overlaps(SelfPart(first, second), visit);
+    self_overlaps(SelfPart(second, second), visit, apart);
+    self_overlaps(SelfPart(first, second), visit, apart);
     return;
   }
   const auto [from, to] = range(p.index);

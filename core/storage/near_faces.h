@@ -97,21 +97,13 @@ class NearFaces {
    public:
     Apart(const Block& a, const Block& b, SlabCache (&caches)[2])
         : FacesApart{{}, caches},
-          a_(a.tree()),
-          b_(b.tree()),
-          oriented_a_(a_.oriented(a.brep(), a.geometry())),
-          oriented_b_(b_.oriented(b.brep(), b.geometry())) {}
+          by_nodes_(a.tree(), a.tree().oriented(a.brep(), a.geometry()), b.tree(),
+                    b.tree().oriented(b.brep(), b.geometry())) {}
 
-    bool nodes(BoxTree::Node p, BoxTree::Node q) const {
-      if (oriented_a_ && oriented_b_) return apart((*oriented_a_)[p], (*oriented_b_)[q]);
-      if (oriented_a_) return apart((*oriented_a_)[p], OrientedBox(b_.box(q)));
-      if (oriented_b_) return apart(OrientedBox(a_.box(p)), (*oriented_b_)[q]);
-      return false;
-    }
+    bool nodes(BoxTree::Node p, BoxTree::Node q) const { return by_nodes_.nodes(p, q); }
 
    private:
-    const FaceTree &a_, &b_;
-    const OrientedTree *oriented_a_, *oriented_b_;
+    OrientedApart by_nodes_;
   };
 
   // So few are tested exactly in no more time.

@@ -9,8 +9,8 @@
 #include "boolean/reduction/standing.h"
 #include "geometry/axes.h"
 #include "geometry/loop_area.h"
+#include "search/box_tree.h"
 #include "search/bucket_sort.h"
-#include "search/edge_box.h"
 #include "sectile/errors.h"
 #include "topology/euler.h"
 
@@ -123,7 +123,7 @@ class PartSettler {
     if (near_.size() == 1 && !patch_.unbounded) return outer_[near_[0]];  // some loop does
     std::uint32_t innermost = none;
     for (const std::uint32_t i : near_) {
-      build_edge_trees();
+      build_outlines();
       if (surrounds(i, inner) && (innermost == none || is_within(i, innermost))) innermost = i;
     }
     if (innermost != none) return outer_[innermost];
@@ -151,7 +151,7 @@ class PartSettler {
       const PointId p = brep_.point_of(brep_.from(h));
       const Probe probe(kernel_, p);
       RayCount count(kernel_, patch_, patch_.plane(root_), probe, touched);
-      count_crossings(outer, w_.geometry.position(p), count);
+      count_crossings(outer, count);
       if (!count.touched().empty()) return;
       decided = true;
       inside = count.odd();
@@ -161,7 +161,7 @@ class PartSettler {
       const PointId p = brep_.point_of(brep_.from(h));
       const Probe probe(kernel_, p);
       RayCount count(kernel_, patch_, patch_.plane(root_), probe, touched);
-      count_crossings(outer, w_.geometry.position(p), count);
+      count_crossings(outer, count);
       const Standing::Where where = standing_of(h, outer_[outer], count.touched());
       if (where == Standing::Where::along) return;
       decided = true;
@@ -200,23 +200,13 @@ class PartSettler {
     return surrounds(second, outer_[first]);
   }
 
-  void count_crossings(std::uint32_t outer, const Vec3& at, RayCount& count) const {
-    const int i = count.i(), j = count.j();
-    const auto meets = [&](const Box& b) {
-      return b.low[j] <= component(at, j) && component(at, j) <= b.high[j] &&
-             b.high[i] >= component(at, i);
-    };
+  void count_crossings(std::uint32_t outer, RayCount& count) const {
     const std::uint32_t first = outer == 0 ? 0 : outer_end_[outer - 1];
-    if (const BoxTree* tree = edge_trees_[outer].get()) {
-      tree->query(meets, [&](std::uint32_t item) { count.add(outer_edges_[first + item]); });
-      return;
-    }
-    for (std::uint32_t e = first; e < outer_end_[outer]; ++e)
-      if (meets(box(outer_edges_[e]))) count.add(outer_edges_[e]);
-  }
-
-  Box box(HalfEdgeId h) const {
-    return edge_box(w_.geometry, brep_.point_of(brep_.from(h)), brep_.point_of(brep_.to(h)));
+    const auto edges = std::span(outer_edges_).subspan(first, outer_end_[outer] - first);
+    if (const OutlineTree* outline = outlines_[outer].get())
+      count.add(*outline, edges);
+    else
+      for (const HalfEdgeId h : edges) count.add(h);
   }
 
   void build_loop_tree() {
@@ -233,24 +223,28 @@ class PartSettler {
     loop_tree_ = BoxTree(boxes);
   }
 
-  void build_edge_trees() {
+  void build_outlines() {
     if (edges_root_ == root_) return;
     edges_root_ = root_;
     outer_edges_.clear();
     outer_end_.clear();
-    edge_trees_.clear();
+    outlines_.clear();
     areas_.clear();
-    std::vector<Box> boxes;
+    std::vector<Vec3> corners;
     for (const LoopId l : outer_) {
-      boxes.clear();
+      corners.clear();
       for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
         if (!patch_.side(h).valid()) return;  // a null edge
         outer_edges_.push_back(h);
-        boxes.push_back(box(h));
+        corners.push_back(w_.geometry.position(brep_.point_of(brep_.from(h))));
       });
       areas_.push_back(area_of(l));
       outer_end_.push_back(static_cast<std::uint32_t>(outer_edges_.size()));
-      edge_trees_.push_back(boxes.size() < many_edges ? nullptr : std::make_unique<BoxTree>(boxes));
+      const std::uint32_t all[] = {static_cast<std::uint32_t>(corners.size())};
+      outlines_.push_back(corners.size() < many_edges
+                              ? nullptr
+                              : std::make_unique<OutlineTree>(
+                                    corners, all, kernel_.main_axis(patch_.plane(root_))));
     }
   }
 
@@ -268,9 +262,9 @@ class PartSettler {
   std::vector<PointId> points_;
   BoxTree loop_tree_;  // over the outer loops
   std::vector<HalfEdgeId> outer_edges_;
-  std::vector<std::uint32_t> outer_end_;              // per outer loop: end of its edges
-  std::vector<Estimate> areas_;                       // per outer loop
-  std::vector<std::unique_ptr<BoxTree>> edge_trees_;  // per outer loop, if it has many edges
+  std::vector<std::uint32_t> outer_end_;                // per outer loop: end of its edges
+  std::vector<Estimate> areas_;                         // per outer loop
+  std::vector<std::unique_ptr<OutlineTree>> outlines_;  // per outer loop, if it has many edges
 };
 
 // The parts of the divided faces, face by face.

@@ -9,18 +9,30 @@
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
 #include "search/bucket_sort.h"
+#include "search/face_corners.h"
+#include "search/piece_tree.h"
 
 namespace sectile {
 namespace {
 
-// The half-edges of a loop or face whose boxes meet a box, or all of a small face.
-bool near_half_edges(const Patch& patch, FaceId face, const Box& box,
+OutlineTree::Target as_target(const Workspace& w, Operand solid, FaceId face) {
+  const Patch& patch = w.patch[solid];
+  if (patch.unbounded) return {};
+  if (const OutlineTree* outline = patch.outline[face.value()].get()) return outline->as_target();
+  return with_outer_corners(patch.brep, w.geometry, face, [](std::span<const Vec3> corners) {
+    return OutlineTree::Target(corners);
+  });
+}
+
+// The half-edges of a face that come near another one, or all of a small face.
+bool near_half_edges(const Workspace& w, Operand solid, FaceId face, FaceId across,
                      std::vector<SidedHalfEdge>& out) {
-  if (const BoxTree* tree = patch.half_edge_tree[face.value()].get()) {
-    tree->query([&](const Box& b) { return b.overlaps(box); },
-                [&](std::uint32_t item) {
-                  out.push_back({patch.tree_half_edges[face.value()][item], {}, {}});
-                });
+  const Patch& patch = w.patch[solid];
+  if (const OutlineTree* outline = patch.outline[face.value()].get()) {
+    const std::vector<HalfEdgeId>& half_edges = patch.outline_half_edges[face.value()];
+    outline->query(as_target(w, other(solid), across), [&](std::uint32_t edge) {
+      out.push_back({half_edges[edge], {}, {}});
+    });
     return false;
   }
   for_each_in_face(patch.brep, face, [&](HalfEdgeId h) { out.push_back({h, {}, {}}); });
@@ -33,11 +45,9 @@ bool sided_half_edges(const Workspace& w, Operand solid, FaceId face, FaceId acr
                       std::vector<SidedHalfEdge>& out) {
   const Patch& patch = w.patch[solid];
   if (patch.unbounded) return true;
-  const Patch& others = w.patch[other(solid)];
-  const PlaneId plane = others.plane(across);
+  const PlaneId plane = w.patch[other(solid)].plane(across);
   const auto side = [&](VertexId v) { return w.tests().side(patch.brep.point_of(v), plane); };
-  const Box near = others.unbounded ? Box::everything() : others.face_boxes[across.value()];
-  if (!near_half_edges(patch, face, near, out)) {
+  if (!near_half_edges(w, solid, face, across, out)) {
     for (SidedHalfEdge& i : out) {
       i.from = side(patch.brep.from(i.h));
       i.to = side(patch.brep.to(i.h));
@@ -143,10 +153,10 @@ class PairTest {
       for (const HalfEdgeId h : of_a)
         for (const HalfEdgeId i : of_b) cross_flat(h, i);
     } else {
-      BoxTree::overlaps(box_tree(Operand::a), box_tree(Operand::b),
-                        [&](std::uint32_t i, std::uint32_t j) {
-                          cross_flat(out_.flat[Operand::a][i], out_.flat[Operand::b][j]);
-                        });
+      PieceTree::overlaps(tree_of_flat(Operand::a), tree_of_flat(Operand::b),
+                          [&](std::uint32_t i, std::uint32_t j) {
+                            cross_flat(out_.flat[Operand::a][i], out_.flat[Operand::b][j]);
+                          });
     }
   }
 
@@ -159,17 +169,14 @@ class PairTest {
         out_.flat[s].push_back(i.h);
   }
 
-  BoxTree box_tree(Operand s) const {
+  PieceTree tree_of_flat(Operand s) const {
     const Brep& brep = w_.patch[s].brep;
-    std::vector<Box> boxes;
-    boxes.reserve(out_.flat[s].size());
-    for (const HalfEdgeId h : out_.flat[s]) {
-      Bounds bounds;
-      for (const VertexId v : {brep.from(h), brep.to(h)})
-        bounds.add(w_.geometry.position(brep.point_of(v)));
-      boxes.push_back(bounds.box());
-    }
-    return BoxTree(boxes);
+    std::vector<PieceTree::Edge> edges;
+    edges.reserve(out_.flat[s].size());
+    for (const HalfEdgeId h : out_.flat[s])
+      edges.push_back({w_.geometry.position(brep.point_of(brep.from(h))),
+                       w_.geometry.position(brep.point_of(brep.to(h)))});
+    return PieceTree(edges);
   }
 
   void cross_flat(HalfEdgeId h, HalfEdgeId i) {

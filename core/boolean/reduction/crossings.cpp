@@ -6,6 +6,7 @@
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
 #include "geometry/probe.h"
+#include "search/piece_tree.h"
 
 namespace sectile {
 namespace {
@@ -35,12 +36,12 @@ class CrossingEdges {
 
   void operator()(std::size_t group, std::vector<Crossing>& out) const {
     const std::span<const std::uint32_t> records = groups_[group];
-    std::vector<Box> boxes;
-    boxes.reserve(records.size());
-    for (const std::uint32_t r : records) boxes.push_back(box(r));
-    const BoxTree tree(boxes);
-    BoxTree::overlaps(tree, tree, [&](std::uint32_t i, std::uint32_t j) {
-      if (i < j) cross(records[i], records[j], out);
+    std::vector<PieceTree::Edge> edges;
+    edges.reserve(records.size());
+    for (const std::uint32_t r : records)
+      edges.push_back({w_.geometry.position(end(r, 0)), w_.geometry.position(end(r, 1))});
+    PieceTree(edges).self_overlaps([&](std::uint32_t i, std::uint32_t j) {
+      cross(records[std::min(i, j)], records[std::max(i, j)], out);
     });
   }
 
@@ -51,11 +52,6 @@ class CrossingEdges {
   }
   PointId end(std::uint32_t record, int which) const {
     return found_.point(found_.segments[record].place[which]);
-  }
-  Box box(std::uint32_t record) const {
-    Bounds bounds;
-    for (const int which : {0, 1}) bounds.add(w_.geometry.position(end(record, which)));
-    return bounds.box();
   }
   // A plane through the segment across the face.
   PlaneId across(std::uint32_t record) const {

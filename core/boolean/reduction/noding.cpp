@@ -7,21 +7,15 @@
 #include "boolean/collect.h"
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
+#include "search/piece_tree.h"
 
 namespace sectile {
 namespace {
 
 class Noding {
  public:
-  Noding(const Workspace& w, const Contacts& found) : w_(w), kernel_(w.tests()), found_(found) {
-    std::vector<Box> boxes(found.places.size());
-    for (const PlaceId place : found.places.ids()) {
-      Bounds bounds;
-      bounds.add(w.geometry.position(found.point(place)));
-      boxes[place.value()] = bounds.box();
-    }
-    tree_ = BoxTree(boxes);
-  }
+  Noding(const Workspace& w, const Contacts& found)
+      : w_(w), kernel_(w.tests()), found_(found), places_(as_edges(w, found)) {}
 
   // Some records that follow each other, and so are near each other, as a rule.
   void split(std::span<const SegmentRecord> records, std::vector<SegmentRecord>& out) const {
@@ -40,6 +34,17 @@ class Noding {
     std::uint32_t record;
     PlaceId place;
   };
+
+  static std::vector<PieceTree::Edge> as_edges(const Workspace& w, const Contacts& found) {
+    std::vector<PieceTree::Edge> edges;
+    edges.reserve(found.places.size());
+    for (const PlaceId place : found.places.ids()) {
+      const Vec3& at = w.geometry.position(found.point(place));
+      edges.push_back({at, at});
+    }
+    return edges;
+  }
+  const Vec3& at(PlaceId place) const { return w_.geometry.position(found_.point(place)); }
 
   void split(const SegmentRecord& record, std::span<const PlaceInside> inside,
              std::vector<SegmentRecord>& out) const {
@@ -75,16 +80,12 @@ class Noding {
 
   // Those strictly between the ends of each record, in order.
   std::vector<PlaceInside> places_inside(std::span<const SegmentRecord> records) const {
-    std::vector<Box> boxes;
-    boxes.reserve(records.size());
-    for (const SegmentRecord& r : records) {
-      Bounds bounds;
-      for (const PlaceId place : r.place) bounds.add(w_.geometry.position(found_.point(place)));
-      boxes.push_back(bounds.box());
-    }
+    std::vector<PieceTree::Edge> edges;
+    edges.reserve(records.size());
+    for (const SegmentRecord& r : records) edges.push_back({at(r.place[0]), at(r.place[1])});
     std::vector<PlaceInside> inside;
-    BoxTree::overlaps(BoxTree(boxes, {}, true), tree_, [&](std::uint32_t i, std::uint32_t item) {
-      if (is_inside(records[i], PlaceId(item))) inside.push_back({i, PlaceId(item)});
+    PieceTree::overlaps(PieceTree(edges, true), places_, [&](std::uint32_t i, std::uint32_t place) {
+      if (is_inside(records[i], PlaceId(place))) inside.push_back({i, PlaceId(place)});
     });
     if (inside.empty()) return inside;
     std::sort(inside.begin(), inside.end(), [&](const PlaceInside& p, const PlaceInside& q) {
@@ -115,7 +116,7 @@ class Noding {
   const Workspace& w_;
   const Kernel& kernel_;
   const Contacts& found_;
-  BoxTree tree_;
+  PieceTree places_;
 };
 
 }  // namespace

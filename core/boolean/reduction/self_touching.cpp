@@ -7,6 +7,8 @@
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
 #include "boolean/reduction/standing.h"
+#include "search/face_corners.h"
+#include "search/piece_tree.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -22,21 +24,22 @@ class EdgesInFaces {
     std::stable_sort(order_.begin(), order_.end(),
                      [&](std::uint32_t i, std::uint32_t j) { return face(i) < face(j); });
     for (std::uint32_t from = 0, to; from < order_.size(); from = to) {
-      std::vector<Box> boxes;
+      std::vector<PieceTree::Edge> edges;
       for (to = from; to < order_.size() && face(order_[to]) == face(order_[from]); ++to)
-        boxes.push_back(box(order_[to]));
-      groups_.push_back({face(order_[from]), from, BoxTree(boxes)});
+        edges.push_back({end(order_[to], 0), end(order_[to], 1)});
+      groups_.push_back({face(order_[from]), from, PieceTree(edges)});
     }
   }
 
-  /// Replaces `found` by the records in a face that come near a box, ascending.
-  void find(FaceId in, const Box& near, std::vector<std::uint32_t>& found) const {
+  /// Replaces `found` by the records in a face that come near a polygon, ascending.
+  void find(FaceId in, std::span<const Vec3> near, std::vector<std::uint32_t>& found) const {
     found.clear();
     const auto group = std::partition_point(groups_.begin(), groups_.end(),
                                             [&](const Group& g) { return g.face < in; });
     if (group == groups_.end() || group->face != in) return;
-    group->tree.query([&](const Box& b) { return b.overlaps(near); },
-                      [&](std::uint32_t i) { found.push_back(order_[group->first + i]); });
+    PieceTree::overlaps(group->tree, PieceTree(near), [&](std::uint32_t i, std::uint32_t) {
+      found.push_back(order_[group->first + i]);
+    });
     std::sort(found.begin(), found.end());
   }
 
@@ -44,15 +47,12 @@ class EdgesInFaces {
   struct Group {
     FaceId face;
     std::uint32_t first;
-    BoxTree tree;
+    PieceTree tree;
   };
 
   FaceId face(std::uint32_t record) const { return found_.segments[record].on[other(s_)].face(); }
-  Box box(std::uint32_t record) const {
-    Bounds bounds;
-    for (const PlaceId place : found_.segments[record].place)
-      bounds.add(w_.geometry.position(found_.point(place)));
-    return bounds.box();
+  const Vec3& end(std::uint32_t record, int which) const {
+    return w_.geometry.position(found_.point(found_.segments[record].place[which]));
   }
 
   const Workspace& w_;
@@ -71,7 +71,8 @@ class TouchedFaces {
     if (patch().unbounded) return;
     const FaceId mine = pair.face[s_], across = pair.face[other(s_)];
     std::vector<std::uint32_t> near;
-    edges_.find(across, patch().face_boxes[mine.value()], near);
+    with_outer_corners(patch().brep, w_.geometry, mine,
+                       [&](std::span<const Vec3> corners) { edges_.find(across, corners, near); });
     for (const std::uint32_t r : near)
       if (!borders(found_.segments[r].on[s_].edge(), mine)) add(found_.segments[r], mine, out);
   }
