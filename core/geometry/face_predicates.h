@@ -1,9 +1,11 @@
 // What the triangulation asks, answered for points seen along an axis.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
+#include "geometry/axes.h"
 #include "geometry/kernel.h"
 
 namespace sectile {
@@ -26,6 +28,11 @@ class FacePredicates {
   Sign turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
     const Sign sign = kernel_.turn(corners_[i], corners_[j], corners_[k], axis_);
     return behind_ ? -sign : sign;
+  }
+  /// About where a corner is seen.
+  std::array<double, 2> seen(std::uint32_t i) const {
+    const Vec3& p = kernel_.geometry().position(corners_[i]);
+    return {component(p, u_), component(p, v_)};
   }
 
  private:

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "geometry/ear_clipping.h"
+#include "geometry/edge_flips.h"
 #include "geometry/region_sweep.h"
 #include "numbers/sign.h"
 
@@ -48,6 +49,17 @@ void triangulate(const Predicates& exact, std::span<const std::uint32_t> loop_en
     if (loop_ends[0] > 3 && EarClipping(exact, loop_ends[0]).run(triangles)) return;
   }
   RegionSweep(exact, loop_ends, triangles).run();
+}
+
+/// The same with triangles of better shape, where the region has many corners: slivers through half
+/// of it would have boxes that overlap everything. Predicates have seen() as well, see EdgeFlips.
+template <CornerPredicates Predicates>
+void triangulate_in_shape(const Predicates& exact, std::span<const std::uint32_t> loop_ends,
+                          std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  const std::size_t first = triangles.size();
+  triangulate(exact, loop_ends, triangles);
+  if (triangles.size() - first > EarClipping<Predicates>::most_corners)
+    EdgeFlips(exact, triangles, first).run();
 }
 
 /// The orientation of the loop of the corners first to end - 1: positive if it is

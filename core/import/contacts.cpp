@@ -42,8 +42,10 @@ void refuse(const std::vector<FacePairContact>& found, const Source& source) {
 
 std::vector<FacePairContact> face_contacts(const TriangleSurface& surface, const Kernel& kernel,
                                            const SelfTestControl& control) {
+  SelfTestControl once = control;
+  once.overlaps_once = true;
   std::vector<FacePairContact> found;
-  for (const SelfContact& c : self_contacts(surface, kernel, control)) {
+  for (const SelfContact& c : self_contacts(surface, kernel, once)) {
     const auto [first, second] = std::minmax(surface.face[c.first], surface.face[c.second]);
     found.push_back({FaceId(first), FaceId(second), c.kind, c.where});
   }

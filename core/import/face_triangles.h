@@ -80,8 +80,9 @@ class FaceTriangles {
             .subspan(first_loop,
                      (is_last ? loop_ends_.size() : polygons_[i + 1].first_loop) - first_loop);
     const int axis = kernel.main_axis(plane);
-    triangulate(FacePredicates(kernel, axis, kernel.normal(plane, axis) == Sign::negative, corners),
-                loop_ends, triangles);
+    triangulate_in_shape(
+        FacePredicates(kernel, axis, kernel.normal(plane, axis) == Sign::negative, corners),
+        loop_ends, triangles);
   }
 
   const Brep& brep_;

@@ -76,19 +76,6 @@ std::uint32_t new_origin() {
 
 namespace {
 
-std::shared_ptr<SolidData> with_flat_faces_joined(std::shared_ptr<SolidData> data,
-                                                  const Kernel& kernel,
-                                                  const ImportOptions& options) {
-  JoinedFaces joined = join_flat_faces(data->brep(), data->geometry(), kernel, options.face_groups);
-  if (!joined.as_read) return data;
-  auto made = std::make_shared<SolidData>();
-  made->brep() = std::move(joined.brep);
-  made->geometry() = std::move(joined.geometry);
-  made->as_read = std::move(joined.as_read);
-  made->origin = data->origin;
-  return made;
-}
-
 void check_groups(const SoupView& soup, const ImportOptions& options) {
   if (options.face_groups.empty() || options.face_groups.size() == soup.face_count()) return;
   throw InvalidSolid(InvalidSolid::Reason::malformed,
@@ -125,7 +112,7 @@ std::shared_ptr<SolidData> read_boundary(const SoupView& soup, const ImportOptio
   if (!options.trusted) refuse_contacts(data->brep(), kernel, steps.from_to(0.2, 0.9));
   check_orientation(*data, kernel);
   steps.done(0.95);
-  data = with_flat_faces_joined(std::move(data), kernel, options);
+  data = with_flat_faces_joined(std::move(data), kernel, options.face_groups);
   data->cut();
   return data;
 }

@@ -374,4 +374,17 @@ JoinedFaces join_flat_faces(const Brep& brep, const Geometry& geometry, const Ke
   return Joiner(brep, geometry, kernel, groups).run();
 }
 
+std::shared_ptr<SolidData> with_flat_faces_joined(std::shared_ptr<SolidData> data,
+                                                  const Kernel& kernel,
+                                                  std::span<const std::uint32_t> groups) {
+  JoinedFaces joined = join_flat_faces(data->brep(), data->geometry(), kernel, groups);
+  if (!joined.as_read) return data;
+  auto made = std::make_shared<SolidData>();
+  made->brep() = std::move(joined.brep);
+  made->geometry() = std::move(joined.geometry);
+  made->as_read = std::move(joined.as_read);
+  made->origin = data->origin;
+  return made;
+}
+
 }  // namespace sectile

@@ -6,6 +6,7 @@
 
 #include "geometry/kernel.h"
 #include "storage/faces_as_read.h"
+#include "storage/solid_data.h"
 #include "topology/brep.h"
 
 namespace sectile {
@@ -23,5 +24,10 @@ struct JoinedFaces {
 /// touches itself. A joined face has the least FaceSource of its parts.
 JoinedFaces join_flat_faces(const Brep& brep, const Geometry& geometry, const Kernel& kernel,
                             std::span<const std::uint32_t> groups);
+
+/// The same of a solid in one block: another one, or the same one if nothing could be joined.
+std::shared_ptr<SolidData> with_flat_faces_joined(std::shared_ptr<SolidData> data,
+                                                  const Kernel& kernel,
+                                                  std::span<const std::uint32_t> groups);
 
 }  // namespace sectile

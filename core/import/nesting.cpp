@@ -100,12 +100,21 @@ class LineThroughFace {
   }
 
   // The faces on the line, from the first one on along the x axis, up to one of a shell that is
-  // known. Nothing if the line meets an edge.
+  // known. Nothing if the line meets an edge. As a rule, there are few; many are put in order at
+  // once, as each step takes a look at all that is beyond.
   template <class IsKnown>
   std::optional<std::vector<FaceId>> follow(const IsKnown& is_known) {
+    constexpr std::size_t few = 8;
     std::vector<FaceId> faces;
     at_ = {point_.x[0], point_.w};
     while (faces.empty() || !is_known(faces.back())) {
+      if (faces.size() == few) {
+        const auto rest = all_after(faces.back());
+        if (!rest) return {};
+        const auto known = std::find_if(rest->begin(), rest->end(), is_known);
+        faces.insert(faces.end(), rest->begin(), known == rest->end() ? known : known + 1);
+        break;
+      }
       const std::optional<FaceId> next = next_after(faces.empty() ? face_ : faces.back());
       if (!next) return {};
       if (!next->valid()) break;
@@ -114,7 +123,6 @@ class LineThroughFace {
     return faces;
   }
 
-  // A place on the line: x is the quotient; the denominator is positive.
   struct Place {
     Dyadic numerator, denominator;
     Sign compare(const Place& other) const {
@@ -133,8 +141,7 @@ class LineThroughFace {
     bool edge_met = false;
     others_.tree.query(
         [&](const Box& b) {
-          return b.low[1] <= high_y_ && low_y_ <= b.high[1] && b.low[2] <= high_z_ &&
-                 low_z_ <= b.high[2] && begin <= b.high[0] && b.low[0] <= end && !edge_met;
+          return is_on_line(b) && begin <= b.high[0] && b.low[0] <= end && !edge_met;
         },
         [&](std::uint32_t item) {
           const FaceId f = others_.faces[item];
@@ -158,6 +165,51 @@ class LineThroughFace {
     if (edge_met) return {};
     at_ = std::move(place);
     return next;
+  }
+
+  // All faces beyond `from`, which is at at_, in their order. Nothing as with next_after.
+  std::optional<std::vector<FaceId>> all_after(FaceId from) const {
+    struct Met {
+      FaceId face;
+      Place place;
+    };
+    std::vector<Met> all;
+    const double begin = below(at_.nearest());
+    bool edge_met = false;
+    others_.tree.query(
+        [&](const Box& b) { return is_on_line(b) && begin <= b.high[0] && !edge_met; },
+        [&](std::uint32_t item) {
+          const FaceId f = others_.faces[item];
+          if (f == from || edge_met || !counts_(f)) return;
+          const std::optional<bool> met = meets(f);
+          if (!met) edge_met = true;
+          if (!met || !*met) return;
+          Place here = place_on(f);
+          const Sign beyond = at_.compare(here);
+          if (beyond == Sign::zero) {
+            refuse_if_flush(from, f);
+            edge_met = true;
+          } else if (beyond == Sign::positive) {
+            all.push_back({f, std::move(here)});
+          }
+        });
+    if (edge_met) return {};
+    std::sort(all.begin(), all.end(), [](const Met& a, const Met& b) {
+      return a.place.compare(b.place) == Sign::positive;
+    });
+    std::vector<FaceId> faces;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (i > 0 && all[i - 1].place.compare(all[i].place) == Sign::zero) {
+        refuse_if_flush(all[i - 1].face, all[i].face);
+        return {};
+      }
+      faces.push_back(all[i].face);
+    }
+    return faces;
+  }
+
+  bool is_on_line(const Box& b) const {
+    return b.low[1] <= high_y_ && low_y_ <= b.high[1] && b.low[2] <= high_z_ && low_z_ <= b.high[2];
   }
 
   Place place_on(FaceId f) const {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "storage/faces_as_read.h"
+
 namespace sectile {
 namespace {
 
@@ -16,18 +18,19 @@ class Resolver {
   LargeMesh run() {
     if (!find_flat_parts()) return {};
     steering_.step(0.1);
-    const std::vector<FacePairContact> contacts = find_contacts();
     std::vector<std::uint32_t> shell_of;
     for (std::uint32_t s = 0; s < shells_.size(); ++s) {
       const std::vector<std::uint32_t>& source = shells_[s].source;
       shell_of.insert(shell_of.end(), source.size(), s);
       made_.source.insert(made_.source.end(), source.begin(), source.end());
     }
-    // By the rule `odd`, what lies in two shells is empty.
-    made_.is_tangled = (shells_.size() > 1 && rule_ == Rule::odd && !contacts.empty()) ||
-                       !only_shells_cross(contacts, shell_of);
-    if (made_.is_tangled || (shells_.size() > 1 && rule_ == Rule::odd)) return std::move(made_);
-    made_.united = unite_shells(solids(), contacts, made_.source, origin_, steering_);
+    const std::vector<FacePairContact> contacts = find_contacts(shell_of);
+    made_.is_tangled =
+        any_crosses_itself(contacts, shell_of) || (nothing_may_cross() && !contacts.empty());
+    if (made_.is_tangled || nothing_may_cross()) return std::move(made_);
+    const std::vector<Solid> all = solids();
+    const FacesAsRead as_read = what_was_joined(all);
+    made_.united = unite_shells(all, contacts, made_.source, &as_read, origin_, steering_);
     return std::move(made_);
   }
 
@@ -46,8 +49,14 @@ class Resolver {
     return true;
   }
 
-  std::vector<FacePairContact> find_contacts() const {
+  // By the rule `odd`, what lies in two shells is empty.
+  bool nothing_may_cross() const { return shells_.size() > 1 && rule_ == Rule::odd; }
+
+  std::vector<FacePairContact> find_contacts(std::span<const std::uint32_t> shell_of) const {
     SelfTestControl control{steering_.cancel, {}};
+    control.is_enough = [&](std::uint32_t f, std::uint32_t g) {
+      return nothing_may_cross() || shell_of[f] == shell_of[g];
+    };
     if (steering_.progress)
       control.progress = [this](double done) { steering_.progress(0.1 + 0.3 * done); };
     const TriangleSurface surface = surface_of(shells_, parts_);
@@ -59,10 +68,20 @@ class Resolver {
   }
 
   std::vector<Solid> solids() {
+    constexpr std::span<const std::uint32_t> all_alike;
     std::vector<Solid> made;
     for (std::size_t s = 0; s < shells_.size(); ++s)
-      made.emplace_back(boundary_of(shells_[s], std::move(parts_[s]), origin_, {}));
+      made.emplace_back(boundary_of(shells_[s], std::move(parts_[s]), origin_, all_alike));
     return made;
+  }
+
+  // The names only.
+  static FacesAsRead what_was_joined(const std::vector<Solid>& solids) {
+    FacesAsRead all;
+    for (const Solid& s : solids)
+      if (const FacesAsRead* read = s.data()->as_read.get())
+        all.triangles.insert(all.triangles.end(), read->triangles.begin(), read->triangles.end());
+    return all;
   }
 
   std::vector<TriangleMesh> shells_;

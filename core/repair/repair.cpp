@@ -54,6 +54,9 @@ class Repairer {
     if (const auto simple =
             shells_alone(polygons_, mate, geometry_, *kernel_, options_.rule, origin_, steering_)) {
       note_faces(Kind::divided_faces, simple->divided);
+      if (simple->overlaps > 0)
+        note(Kind::overlaps, simple->overlaps, corner(simple->first_overlap),
+             polygons_.source[simple->first_overlap]);
       note_faces(Kind::removed_faces, simple->removed);
       return Solid(simple->data);
     }
@@ -74,6 +77,10 @@ class Repairer {
   Solid read_straight(const LargeMesh& large) {
     note_united(large.input_vertex);
     note_input_faces(Kind::divided_faces, large.united->divided, large.source);
+    if (const std::size_t count = large.united->overlaps; count > 0) {
+      const std::uint32_t first = large.source[large.united->first_overlap];
+      note(Kind::overlaps, count, mesh_.positions[mesh_.indices[3 * std::size_t(first)]], first);
+    }
     note_input_faces(Kind::removed_faces, large.united->removed, large.source);
     return Solid(large.united->data);
   }

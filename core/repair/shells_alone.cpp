@@ -6,6 +6,7 @@
 #include "import/brep_builder.h"
 #include "import/contacts.h"
 #include "import/flat_edges.h"
+#include "import/join_flat_faces.h"
 #include "import/shells.h"
 #include "repair/shells_apart.h"
 #include "storage/cut_into_blocks.h"
@@ -31,9 +32,13 @@ class ShellUniter {
     if (mate_.empty()) return {};
     build_brep(polygons_, mate_, brep_);
     set_planes_and_sources(polygons_, origin_, brep_);
-    const std::vector<FacePairContact> contacts = face_contacts(brep_, kernel_, part(0.16, 0.29));
     const Shells shells = find_shells(brep_);
-    if (!contacts.empty() && (rule_ == Rule::odd || !only_shells_cross(contacts, shells.of_face)))
+    SelfTestControl control = part(0.16, 0.29);
+    control.is_enough = [&](std::uint32_t f, std::uint32_t g) {
+      return rule_ == Rule::odd || shells.of_face[f] == shells.of_face[g];
+    };
+    const std::vector<FacePairContact> contacts = face_contacts(brep_, kernel_, control);
+    if (!contacts.empty() && (rule_ == Rule::odd || any_crosses_itself(contacts, shells.of_face)))
       return {};
     try {
       pin_flat_edges(brep_, geometry_, kernel_);
@@ -67,6 +72,7 @@ class ShellUniter {
       return {};
     }
     steering_.step(0.9);
+    all = with_flat_faces_joined(std::move(all), kernel_, {});
     all->cut();
     steering_.step(1);
     return ShellsUnited{std::move(all), {}, {}};
@@ -77,15 +83,20 @@ class ShellUniter {
     for (const Sign sign : signs_of_volumes(brep_, geometry_, shells))
       if (sign != Sign::positive) return {};
     steering_.step(0.4);
-    const std::vector<Solid> solids = solids_of(shells);
-    return unite_shells(solids, contacts, polygons_.source, origin_, steering_);
+    const JoinedFaces joined = join_flat_faces(brep_, geometry_, kernel_, {});
+    const std::vector<Solid> solids =
+        joined.as_read ? solids_of(joined.brep, joined.geometry, find_shells(joined.brep))
+                       : solids_of(brep_, geometry_, shells);
+    return unite_shells(solids, contacts, polygons_.source, joined.as_read.get(), origin_,
+                        steering_);
   }
 
   // They share nothing, but come out of one cut.
-  std::vector<Solid> solids_of(const Shells& shells) const {
-    const bool touches = vertices_coincide(brep_, geometry_);
+  static std::vector<Solid> solids_of(const Brep& brep, const Geometry& geometry,
+                                      const Shells& shells) {
+    const bool touches = vertices_coincide(brep, geometry);
     const std::vector<Slot> slots =
-        cut_into_blocks({brep_, geometry_, {}, Places{}, shells.of_face}).slots;
+        cut_into_blocks({brep, geometry, {}, Places{}, shells.of_face}).slots;
     std::vector<Solid> solids;
     std::size_t shell = 0, faces = 0;
     std::vector<std::size_t> size(shells.count, 0);
@@ -113,18 +124,26 @@ class ShellUniter {
   Brep brep_;
 };
 
+// Of the faces with these sources: those of which nothing is in a solid, nor of what they were
+// joined to.
 std::vector<std::uint32_t> unused_faces(const SolidData& data,
-                                        std::span<const std::uint32_t> source) {
+                                        std::span<const std::uint32_t> source,
+                                        const FacesAsRead* as_read) {
   std::vector<std::uint8_t> used;
+  const auto use = [&](std::uint32_t face) {
+    if (face >= used.size()) used.resize(face + 1, 0);
+    used[face] = 1;
+  };
+  const auto is_used = [&](std::uint32_t face) { return face < used.size() && used[face] != 0; };
   for (const Slot& slot : data.slots())
     if (!slot.empty())
-      for (const FaceSource& from : slot.block->brep().source) {
-        if (from.face >= used.size()) used.resize(from.face + 1, 0);
-        used[from.face] = 1;
-      }
+      for (const FaceSource& from : slot.block->brep().source) use(from.face);
+  if (as_read)
+    for (const FacesAsRead::Triangle& t : as_read->triangles)
+      if (is_used(t.joined)) use(t.source);
   std::vector<std::uint32_t> unused;
   for (std::uint32_t f = 0; f < source.size(); ++f)
-    if (source[f] >= used.size() || used[source[f]] == 0) unused.push_back(f);
+    if (!is_used(source[f])) unused.push_back(f);
   return unused;
 }
 
@@ -139,18 +158,17 @@ std::vector<std::uint32_t> faces_of(std::span<const FacePairContact> contacts) {
 
 }  // namespace
 
-bool only_shells_cross(std::span<const FacePairContact> contacts,
-                       std::span<const std::uint32_t> shell_of) {
-  return std::all_of(contacts.begin(), contacts.end(), [&](const FacePairContact& c) {
-    return c.kind == SelfContact::Kind::crossing &&
-           shell_of[c.first.value()] != shell_of[c.second.value()];
+bool any_crosses_itself(std::span<const FacePairContact> contacts,
+                        std::span<const std::uint32_t> shell_of) {
+  return std::any_of(contacts.begin(), contacts.end(), [&](const FacePairContact& c) {
+    return shell_of[c.first.value()] == shell_of[c.second.value()];
   });
 }
 
 ShellsUnited unite_shells(const std::vector<Solid>& solids,
                           std::span<const FacePairContact> contacts,
-                          std::span<const std::uint32_t> source, std::uint32_t origin,
-                          const arrangement::Steering& steering) {
+                          std::span<const std::uint32_t> source, const FacesAsRead* as_read,
+                          std::uint32_t origin, const arrangement::Steering& steering) {
   steering.step(0.5);
   arrangement::Steering inner{steering.cancel, {}};
   if (steering.progress)
@@ -162,7 +180,15 @@ ShellsUnited unite_shells(const std::vector<Solid>& solids,
                                           made.touches_itself());
   data->origin = origin;
   steering.step(1);
-  return {data, faces_of(contacts), unused_faces(*data, source)};
+  ShellsUnited united{data, faces_of(contacts), unused_faces(*data, source, as_read)};
+  for (const FacePairContact& c : contacts) {
+    if (c.kind != SelfContact::Kind::overlap) continue;
+    if (united.overlaps == 0) united.first_overlap = c.first.value();
+    for (const std::uint32_t f : {c.first.value(), c.second.value()})
+      if (source[f] < source[united.first_overlap]) united.first_overlap = f;
+    ++united.overlaps;
+  }
+  return united;
 }
 
 std::optional<ShellsUnited> shells_alone(const Polygons& polygons,

@@ -4,6 +4,7 @@
 #include <bit>
 #include <mutex>
 #include <tuple>
+#include <unordered_set>
 
 #include "parallel/parallel.h"
 #include "parallel/scratch.h"
@@ -60,10 +61,7 @@ class Traversal {
     });
     parallel::loop(0, patch_pairs_.count(), [&](std::size_t patch) {
       check_cancelled();
-      found_.lend([&](Found& found) {
-        patch_pairs_.for_each_pair(patch,
-                                   [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); });
-      });
+      found_.lend([&](Found& found) { test_pairs_of_patch(patch, found); });
       note_step(steps);
     });
     if (control_.progress) control_.progress(1);
@@ -131,7 +129,8 @@ class Traversal {
 
   // Is nothing to be tested between two nodes?
   bool known(std::size_t level, std::size_t a, std::size_t b) const {
-    return faces_.same(level, a, b) || fans_.same(level, a, b) || settled_.same(level, a, b) ||
+    return enough_.load(std::memory_order_relaxed) || faces_.same(level, a, b) ||
+           fans_.same(level, a, b) || settled_.same(level, a, b) ||
            (a != b && slanted_.apart(level, a, b));
   }
 
@@ -144,7 +143,7 @@ class Traversal {
 
   // Not needed if each face is one triangle.
   std::vector<std::uint32_t> labels_of_faces() const {
-    if (surface_.face.back() + 1 == surface_.size()) return {};
+    if (each_face_is_a_triangle()) return {};
     std::vector<std::uint32_t> labels = surface_.face;
     if (!surface_.doubtful.empty())
       for (std::uint32_t& label : labels)
@@ -153,8 +152,29 @@ class Traversal {
   }
 
   void test(std::uint32_t s, std::uint32_t t, Found& found) const {
-    if (const auto contact = pairs_.test(std::min(s, t), std::max(s, t))) found.push_back(*contact);
+    if (enough_.load(std::memory_order_relaxed)) return;
+    const auto contact = pairs_.test(std::min(s, t), std::max(s, t));
+    if (!contact) return;
+    found.push_back(*contact);
+    if (control_.is_enough && control_.is_enough(surface_.face[s], surface_.face[t]))
+      enough_.store(true, std::memory_order_relaxed);
   }
+
+  // Two faces that lie on each other do so in very many slivers.
+  void test_pairs_of_patch(std::size_t patch, Found& found) const {
+    const bool once = control_.overlaps_once && !each_face_is_a_triangle();
+    std::unordered_set<std::uint64_t> known;
+    patch_pairs_.for_each_pair(patch, [&](std::uint32_t s, std::uint32_t t) {
+      const std::uint64_t faces = std::uint64_t(surface_.face[s]) << 32 | surface_.face[t];
+      if (!known.empty() && known.contains(faces)) return;
+      const std::size_t before = found.size();
+      test(s, t, found);
+      if (once && found.size() > before && found.back().kind == SelfContact::Kind::overlap)
+        known.insert(faces);
+    });
+  }
+
+  bool each_face_is_a_triangle() const { return surface_.face.back() + 1 == surface_.size(); }
 
   void check_cancelled() const {
     if (control_.cancel && control_.cancel->load(std::memory_order_relaxed)) throw Cancelled();
@@ -188,6 +208,7 @@ class Traversal {
   NodeLabels fans_, settled_;
   TrianglePairs pairs_;
   parallel::Scratch<Found> found_;
+  mutable std::atomic<bool> enough_{false};
   std::atomic<std::size_t> done_{0};
   std::mutex telling_;
 };

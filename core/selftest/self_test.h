@@ -26,6 +26,11 @@ struct SelfContact {
 struct SelfTestControl {
   const std::atomic<bool>* cancel = nullptr;  ///< Cancelled is thrown soon after it is set
   std::function<void(double)> progress;       ///< is told the part done, by one thread at a time
+  /// Faces of several triangles that lie on each other need not be found more than once.
+  bool overlaps_once = false;
+  /// If given: the search ends soon after it holds for two faces that meet. Such a pair is found
+  /// then; which others are, is left to chance. Asked by several threads at a time.
+  std::function<bool(std::uint32_t face, std::uint32_t other)> is_enough = {};
 };
 
 /// All such pairs, in ascending order: the same for any number of threads. None: the interiors of

@@ -33,7 +33,7 @@ void add_triangle(const std::array<PointId, 3>& corners, const Geometry& geometr
 
 SlantedNodes::SlantedNodes(const TriangleSurface& surface, const Geometry& geometry,
                            const TriangleTree& tree)
-    : tree_(tree) {
+    : tree_(&tree) {
   find_needles(surface, geometry);
   for (std::size_t level = 0; level < number_.size(); ++level) {
     std::vector<std::uint32_t> nodes;
@@ -52,26 +52,26 @@ SlantedNodes::SlantedNodes(const TriangleSurface& surface, const Geometry& geome
 
 // Nodes of needles get any number, for now. A node above them is one if half of them are.
 void SlantedNodes::find_needles(const TriangleSurface& surface, const Geometry& geometry) {
-  std::vector<std::uint32_t> found(tree_.nodes(0), none);
+  std::vector<std::uint32_t> found(tree_->nodes(0), none);
   parallel::loop(tbb::blocked_range<std::size_t>(0, found.size(), 256), [&](const auto& range) {
     for (std::size_t node = range.begin(); node < range.end(); ++node) {
       Extent extent;
-      const auto [begin, end] = tree_.range(0, node);
+      const auto [begin, end] = tree_->range(0, node);
       for (std::uint32_t i = begin; i < end; ++i)
-        add_triangle(surface.corners[tree_.order()[i]], geometry, extent);
+        add_triangle(surface.corners[tree_->order()[i]], geometry, extent);
       if (extent.boxes > slanted_needle * extent.triangles) found[node] = 0;
     }
   });
   while (std::any_of(found.begin(), found.end(), [](std::uint32_t n) { return n != none; })) {
     number_.push_back(std::move(found));
     const std::size_t level = number_.size();
-    if (level == tree_.levels()) return;
-    found.assign(tree_.nodes(level), none);
+    if (level == tree_->levels()) return;
+    found.assign(tree_->nodes(level), none);
     for (std::size_t node = 0; node < found.size(); ++node) {
       unsigned count = 0;
-      for (unsigned i = 0; i < tree_.children(level, node); ++i)
+      for (unsigned i = 0; i < tree_->children(level, node); ++i)
         count += number_[level - 1][8 * node + i] != none ? 1 : 0;
-      if (2 * count > tree_.children(level, node)) found[node] = 0;
+      if (2 * count > tree_->children(level, node)) found[node] = 0;
     }
   }
 }
@@ -79,22 +79,27 @@ void SlantedNodes::find_needles(const TriangleSurface& surface, const Geometry& 
 OrientedBox SlantedNodes::box_around(const TriangleSurface& surface, const Geometry& geometry,
                                      std::size_t level, std::size_t node) const {
   std::vector<Vec3> points;
-  const auto [begin, end] = tree_.range(level, node);
+  const auto [begin, end] = tree_->range(level, node);
   for (std::uint32_t i = begin; i < end; ++i)
-    for (const PointId p : surface.corners[tree_.order()[i]])
+    for (const PointId p : surface.corners[tree_->order()[i]])
       points.push_back(geometry.position(p));
   return OrientedBox(points);
 }
 
 OrientedBox SlantedNodes::box(std::size_t level, std::size_t node) const {
   const std::uint32_t number = number_[level][node];
-  return number != none ? boxes_[level][number] : OrientedBox(tree_.boxes(level, node).all());
+  return number != none ? boxes_[level][number] : OrientedBox(tree_->boxes(level, node).all());
 }
 
 bool SlantedNodes::apart(std::size_t level, std::size_t a, std::size_t b) const {
   if (level >= number_.size() || (number_[level][a] == none && number_[level][b] == none))
     return false;
   return sectile::apart(box(level, a), box(level, b));
+}
+
+bool SlantedNodes::apart(std::size_t level, std::size_t node, const OrientedBox& box) const {
+  if (level >= number_.size() || number_[level][node] == none) return false;
+  return sectile::apart(boxes_[level][number_[level][node]], box);
 }
 
 }  // namespace sectile

@@ -14,10 +14,16 @@ namespace sectile {
 
 class SlantedNodes {
  public:
+  SlantedNodes() = default;
+  /// The tree must stay where it is.
   SlantedNodes(const TriangleSurface& surface, const Geometry& geometry, const TriangleTree& tree);
 
+  /// Are there any?
+  bool any() const { return !number_.empty(); }
   /// True: no triangle of a node meets one of another node of its level.
   bool apart(std::size_t level, std::size_t a, std::size_t b) const;
+  /// True: no triangle of a node meets what is in a box.
+  bool apart(std::size_t level, std::size_t node, const OrientedBox& box) const;
 
  private:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
@@ -27,7 +33,7 @@ class SlantedNodes {
                          std::size_t level, std::size_t node) const;
   OrientedBox box(std::size_t level, std::size_t node) const;
 
-  const TriangleTree& tree_;
+  const TriangleTree* tree_ = nullptr;
   std::vector<std::vector<std::uint32_t>> number_;  // per level and node: its box, or none
   std::vector<std::vector<OrientedBox>> boxes_;     // per level
 };

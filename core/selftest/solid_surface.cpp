@@ -69,8 +69,8 @@ class FaceTriangles {
     numbers_.clear();
     const std::size_t before = result.size();
     try {
-      triangulate(FacePredicates(kernel_, axis_, behind_, points_),
-                  std::span<const std::uint32_t>(loop_ends_), numbers_);
+      triangulate_in_shape(FacePredicates(kernel_, axis_, behind_, points_),
+                           std::span<const std::uint32_t>(loop_ends_), numbers_);
       inner_.clear();
       for (const auto& t : numbers_) add(t, result);
       match_inner_edges(result);

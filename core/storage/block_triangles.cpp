@@ -65,7 +65,7 @@ class FaceCutter {
                                points_);
     numbers_.clear();
     try {
-      triangulate(exact, std::span<const std::uint32_t>(ends_), numbers_);
+      triangulate_in_shape(exact, std::span<const std::uint32_t>(ends_), numbers_);
     } catch (const InternalError&) {  // the loops bound no simple region
       return false;
     }

@@ -10,7 +10,6 @@
 #include "sectile/arrangement.h"
 #include "sectile/boolean.h"
 #include "sectile/primitives.h"
-#include "sectile/rounding.h"
 #include "sectile/transform.h"
 #include "sectile/validate.h"
 
@@ -103,6 +102,40 @@ TEST_P(CombGrowth, CellsOfOneInAnother) {
 }
 TEST_P(CombGrowth, CellsOfOneFlushWithAnother) {
   EXPECT_LT(growth_with(in_plane, find_cells), n_log_n);
+}
+
+TEST_P(CombGrowth, ValidationOfWhatIsLeftOfOne) {
+  EXPECT_LT(growth(
+                [](std::size_t n) {
+                  const Solid comb = GetParam().shape(n);
+                  const double size = 4 * static_cast<double>(n);
+                  const Solid left = boolean(comb, block({-size, -size, 0.25}, {size, size, 2}),
+                                             Operation::subtract);
+                  return [left] { validate(left); };
+                },
+                150),
+            n_log_n);
+}
+// What crosses what is of no use for flush shells, so the search for it ends with the first find.
+TEST_P(CombGrowth, RepairOfOneFlushWithAnother) {
+  EXPECT_LT(
+      growth(
+          [](std::size_t n) {
+            const Solid a = GetParam().shape(n);
+            PolygonMesh both = a.to_mesh();
+            const PolygonMesh b = moved(a, in_plane).to_mesh();
+            const auto first = static_cast<std::uint32_t>(both.positions.size());
+            both.positions.insert(both.positions.end(), b.positions.begin(), b.positions.end());
+            for (const std::uint32_t i : b.indices) both.indices.push_back(first + i);
+            both.face_sizes.insert(both.face_sizes.end(), b.face_sizes.begin(), b.face_sizes.end());
+            return [both] {
+              ImportOptions options;
+              options.resolve = Rule::positive;
+              Solid::from_mesh(both, options);
+            };
+          },
+          100),
+      1.6);
 }
 
 INSTANTIATE_TEST_SUITE_P(, CombGrowth,

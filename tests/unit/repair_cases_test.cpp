@@ -147,6 +147,40 @@ TEST(RepairCases, FlushPartsBecomeOne) {
   EXPECT_EQ(count(r.report, Kind::overlaps), 1u);
 }
 
+PolygonMesh both(PolygonMesh a, const PolygonMesh& b) {
+  const auto first = static_cast<std::uint32_t>(a.positions.size());
+  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
+  for (const std::uint32_t i : b.indices) a.indices.push_back(first + i);
+  a.face_sizes.insert(a.face_sizes.end(), b.face_sizes.begin(), b.face_sizes.end());
+  return a;
+}
+
+// In triangles: the sides that lie on each other, and those in one plane, are faces as a whole.
+TEST(RepairCases, FlushPartsOfTrianglesAreMadeOfWholeFaces) {
+  const Solid a = block({0, 0, 0}, {2, 2, 2}), b = block({2, 1, 0}, {4, 3, 1});
+  const Repaired r = repaired(both(a.to_mesh(), b.to_mesh()));
+  const Solid united = boolean(a, b, Operation::unite);
+  EXPECT_TRUE(r.solid == united);
+  EXPECT_EQ(r.solid.counts().faces, united.counts().faces);
+  EXPECT_GT(count(r.report, Kind::overlaps), 0u);
+  EXPECT_GT(count(r.report, Kind::divided_faces), 0u);
+  EXPECT_EQ(count(r.report, Kind::removed_faces), 0u);
+}
+
+TEST(RepairCases, APartInAnotherOneOfTrianglesIsReportedAsRemoved) {
+  const Solid a = block({0, 0, 0}, {2, 2, 2}), b = block({1, 0.5, 0}, {3, 1, 1});
+  const Repaired r = repaired(both(a.to_mesh(), b.to_mesh()));
+  EXPECT_TRUE(r.solid == boolean(a, b, Operation::unite));
+  EXPECT_EQ(count(r.report, Kind::removed_faces), 2u);  // two triangles at x = 1
+}
+
+TEST(RepairCases, FlatPartsOfALegalMeshAreFacesThatKnowTheirTriangles) {
+  const Repaired r = repaired(block({0, 0, 0}, {1, 2, 3}).to_mesh());
+  EXPECT_EQ(r.solid.counts().faces, 6u);
+  EXPECT_EQ(r.solid.joined_faces(0).size(), 2u);
+  EXPECT_EQ(r.solid.to_mesh().face_sizes.size(), 12u);
+}
+
 TEST(RepairCases, TheSamePartTwice) {
   const Repaired r = repaired(Builder().box({0, 0, 0}, {1, 1, 1}).box({0, 0, 0}, {1, 1, 1}).mesh());
   EXPECT_EQ(r.solid.volume(), 1);

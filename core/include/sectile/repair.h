@@ -39,7 +39,7 @@ struct RepairChange {
     closed_holes,       ///< holes closed
     divided_faces,      ///< faces divided where others meet or cross them
     overlaps,           ///< places where several faces lie on each other
-    removed_faces       ///< faces that bound no material
+    removed_faces  ///< faces that bound no material; of flat parts that are one face, all or none
   };
   Kind kind;
   std::size_t count = 0;
