@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "numbers/sign.h"
@@ -20,13 +22,20 @@ class EdgeFlips {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
 
-  /// Counter-clockwise triangles that do not overlap; exact.seen(corner) gives about where a corner
-  /// is, in the order of the turns.
-  EdgeFlips(const Predicates& exact, std::vector<Triangle>& triangles, std::size_t first)
+  /// Counter-clockwise triangles of a region, those from `first` on: see triangulate().
+  /// exact.seen(corner) gives about where a corner is, in the order of the turns.
+  EdgeFlips(const Predicates& exact, std::span<const std::uint32_t> loop_ends,
+            std::vector<Triangle>& triangles, std::size_t first)
       : exact_(exact),
         triangles_(triangles),
         first_(first),
         mates_(3 * (triangles.size() - first)) {
+    for (const std::uint32_t end : loop_ends)
+      for (const auto begin = static_cast<std::uint32_t>(at_.size()); at_.size() < end;) {
+        const auto c = static_cast<std::uint32_t>(at_.size());
+        at_.push_back(exact.seen(c));
+        after_.push_back(c + 1 < end ? c + 1 : begin);
+      }
     find_mates();
   }
 
@@ -55,25 +64,34 @@ class EdgeFlips {
   std::uint32_t& corner(std::uint32_t side) { return triangles_[first_ + side / 3][side % 3]; }
   std::uint32_t corner(std::uint32_t side) const { return triangles_[first_ + side / 3][side % 3]; }
 
+  // Sides that leave a corner or lead to it are its own if it is the lower one.
   void find_mates() {
-    struct Side {
-      std::uint32_t low, high, number;
-      bool operator<(const Side& o) const {
-        return low != o.low ? low < o.low : high != o.high ? high < o.high : number < o.number;
-      }
+    std::vector<std::uint32_t> end(at_.size() + 1, 0);
+    const auto low = [&](std::uint32_t side) { return std::min(corner(side), corner(next(side))); };
+    const auto high = [&](std::uint32_t side) {
+      return std::max(corner(side), corner(next(side)));
     };
-    std::vector<Side> sides(mates_.size());
-    for (std::uint32_t s = 0; s < sides.size(); ++s) {
-      const std::uint32_t from = corner(s), to = corner(next(s));
-      sides[s] = {std::min(from, to), std::max(from, to), s};
+    for (std::uint32_t s = 0; s < mates_.size(); ++s) ++end[low(s) + 1];
+    for (std::size_t c = 1; c < end.size(); ++c) end[c] += end[c - 1];
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> sides(mates_.size());  // higher corner
+    for (std::uint32_t s = 0; s < mates_.size(); ++s) {
+      sides[end[low(s)]++] = {high(s), s};
       mates_[s] = none;
     }
+    for (std::size_t c = 0, from = 0; c + 1 < end.size(); from = end[c++])
+      match(std::span(sides).subspan(from, end[c] - from));
+  }
+  // A slit has borders on both sides.
+  bool is_border(std::uint32_t side) const { return after_[corner(side)] == corner(next(side)); }
+
+  void match(std::span<std::pair<std::uint32_t, std::uint32_t>> sides) {
     std::sort(sides.begin(), sides.end());
     for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-      const Side &a = sides[i], &b = sides[i + 1];
-      if (a.low != b.low || a.high != b.high || corner(a.number) == corner(b.number)) continue;
-      mates_[a.number] = b.number;
-      mates_[b.number] = a.number;
+      const auto [to, s] = sides[i];
+      const auto [also_to, t] = sides[i + 1];
+      if (to != also_to || corner(s) == corner(t) || is_border(s) || is_border(t)) continue;
+      mates_[s] = t;
+      mates_[t] = s;
       ++i;
     }
   }
@@ -84,9 +102,7 @@ class EdgeFlips {
     const std::uint32_t mate = mates_[side];
     const std::uint32_t a = corner(side), b = corner(mate), p = corner(prev(side)),
                         q = corner(prev(mate));
-    const Place at_a = exact_.seen(a), at_b = exact_.seen(b), at_p = exact_.seen(p),
-                at_q = exact_.seen(q);
-    const Angle here = angle(at_a, at_p, at_b), there = angle(at_b, at_q, at_a);
+    const Angle here = angle(at_[a], at_[p], at_[b]), there = angle(at_[b], at_[q], at_[a]);
     const double sine = here.sine * there.cosine + here.cosine * there.sine;
     if (!(sine < -1e-9 * here.size * there.size)) return false;
     return exact_.turn(p, a, q) == Sign::positive && exact_.turn(q, b, p) == Sign::positive;
@@ -126,6 +142,8 @@ class EdgeFlips {
   const Predicates& exact_;
   std::vector<Triangle>& triangles_;
   std::size_t first_;
+  std::vector<Place> at_;             // per corner
+  std::vector<std::uint32_t> after_;  // per corner: the next one of its loop
   std::vector<std::uint32_t> mates_;  // per side: the same one of the neighbour
 };
 

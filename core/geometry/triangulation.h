@@ -59,7 +59,7 @@ void triangulate_in_shape(const Predicates& exact, std::span<const std::uint32_t
   const std::size_t first = triangles.size();
   triangulate(exact, loop_ends, triangles);
   if (triangles.size() - first > EarClipping<Predicates>::most_corners)
-    EdgeFlips(exact, triangles, first).run();
+    EdgeFlips(exact, loop_ends, triangles, first).run();
 }
 
 /// The orientation of the loop of the corners first to end - 1: positive if it is

@@ -114,9 +114,9 @@ TEST_P(CombGrowth, ValidationOfWhatIsLeftOfOne) {
                   return [left] { validate(left); };
                 },
                 150),
-            n_log_n);
+            1.35);
 }
-// What crosses what is of no use for flush shells, so the search for it ends with the first find.
+// Below the teeth, slivers of both reach through all of the comb: their boxes overlap.
 TEST_P(CombGrowth, RepairOfOneFlushWithAnother) {
   EXPECT_LT(
       growth(

@@ -31,6 +31,9 @@ struct GridPredicates {
   Sign turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
     return sign_of_integer(area2(points[i], points[j], points[k]));
   }
+  std::array<double, 2> seen(std::uint32_t i) const {
+    return {static_cast<double>(points[i].x), static_cast<double>(points[i].y)};
+  }
 };
 
 using Loop = std::vector<GridPoint>;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <map>
 #include <utility>
 
@@ -118,6 +119,44 @@ inline Triangles swept_triangles_of(const Region& region) {
   const GridPredicates predicates = region.predicates();
   RegionSweep(predicates, region.loop_ends, triangles).run();
   return triangles;
+}
+
+/// With edges flipped, however few the corners are.
+inline Triangles shaped_triangles_of(const Region& region) {
+  Triangles triangles = swept_triangles_of(region);
+  const GridPredicates predicates = region.predicates();
+  EdgeFlips<GridPredicates>(predicates, region.loop_ends, triangles, 0).run();
+  return triangles;
+}
+
+/// No inner edge that is not a slit could be flipped with both of the triangles' circles emptied by
+/// that.
+inline void expect_well_shaped(const Region& region, const Triangles& triangles) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> apex;
+  for (const auto& t : triangles)
+    for (int i = 0; i < 3; ++i) apex[{t[i], t[(i + 1) % 3]}] = t[(i + 2) % 3];
+  const auto at = [&](std::uint32_t corner) { return region.points[corner]; };
+  std::map<std::uint32_t, std::uint32_t> after;  // on the loops
+  for (std::size_t loop = 0; loop < region.loop_ends.size(); ++loop)
+    for (std::uint32_t i = region.loop_begin(loop), end = region.loop_ends[loop]; i < end; ++i)
+      after[i] = i + 1 == end ? region.loop_begin(loop) : i + 1;
+  for (const auto& [edge, p] : apex) {
+    const auto [a, b] = edge;
+    const auto other = apex.find({b, a});
+    if (other == apex.end() || after[a] == b || after[b] == a) continue;
+    const std::uint32_t q = other->second;
+    if (area2(at(p), at(a), at(q)) <= 0 || area2(at(q), at(b), at(p)) <= 0) continue;
+    // Is q strictly within the circle through a, b and p?
+    using Wide = boost::multiprecision::int128_t;
+    const auto row = [&](std::uint32_t corner) {
+      const Wide x = at(corner).x - at(q).x, y = at(corner).y - at(q).y;
+      return std::array<Wide, 3>{x, y, x * x + y * y};
+    };
+    const auto u = row(a), v = row(b), w = row(p);
+    const Wide within = u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
+                        u[2] * (v[0] * w[1] - v[1] * w[0]);
+    ASSERT_LE(within, 0) << "edge " << a << ' ' << b;
+  }
 }
 
 }  // namespace sectile::test

@@ -19,6 +19,9 @@ void expect_triangulated(const Region& region, std::size_t count) {
   EXPECT_EQ(swept.size(), count);
   expect_covers(region, triangles);
   expect_covers(region, swept);
+  const Triangles shaped = shaped_triangles_of(region);
+  expect_covers(region, shaped);
+  expect_well_shaped(region, shaped);
 }
 
 Loop square(std::int64_t x, std::int64_t y, std::int64_t size) {
@@ -203,6 +206,10 @@ TEST_P(MeshRegions, random) {
       expect_own_corners(region, triangles);
       expect_own_corners(region, swept);
     }
+    const Triangles shaped = shaped_triangles_of(region);
+    expect_covers(region, shaped);
+    expect_well_shaped(region, shaped);
+    if (options.tracing == Tracing::region) expect_own_corners(region, shaped);
     for (std::size_t loop = 0; loop < region.loop_ends.size(); ++loop) {
       const Sign sign =
           orientation(region.predicates(), region.loop_begin(loop), region.loop_ends[loop]);
@@ -241,6 +248,9 @@ TEST(triangulation, ten_thousand_holes) {
   RecordProperty("milliseconds", static_cast<int>(seconds.count() * 1000));
   EXPECT_EQ(triangles.size(), region.points.size() + 2 * 10000 - 2);
   expect_covers(region, triangles, false);
+  const Triangles shaped = shaped_triangles_of(region);
+  expect_covers(region, shaped, false);
+  expect_well_shaped(region, shaped);
 }
 
 TEST(triangulation, ten_thousand_holes_in_rows) {
