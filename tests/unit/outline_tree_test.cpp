@@ -129,9 +129,18 @@ class Random {
   std::int64_t below(std::int64_t n) {
     return static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(n));
   }
-  // Short steps or long ones, in few directions or in any.
+  // Short steps or long ones, in few directions or in any; or to and fro between two places.
   Loops loops(std::int64_t size) {
     Loops all;
+    if (below(2) == 0) {
+      std::vector<Lattice> loop;
+      const Lattice by{4 * below(size) - 2 * size, 3 * size};
+      for (std::int64_t c = 20 + below(80); c > 0; --c)
+        for (const std::int64_t end : {0, 1})
+          loop.push_back({end * by.i + below(size), end * by.j + below(5)});
+      all.add(loop);
+      return all;
+    }
     for (std::int64_t l = 1 + below(8); l > 0; --l) {
       std::vector<Lattice> loop;
       const bool along = below(2) == 0;
@@ -159,9 +168,10 @@ TEST(OutlineTree, SaysWhatAllEdgesSay) {
     const Scene scene(random.loops(size), n % 3, scales[n % 4]);
     for (int k = 0; k < 60; ++k) {
       const Lattice p =
-          k % 3 == 0 ? scene.loops.corners[static_cast<std::size_t>(
-                           random.below(static_cast<std::int64_t>(scene.loops.corners.size())))]
-                     : Lattice{random.below(3 * size) - size, random.below(3 * size) - size};
+          k % 3 == 0
+              ? scene.loops.corners[static_cast<std::size_t>(
+                    random.below(static_cast<std::int64_t>(scene.loops.corners.size())))]
+              : Lattice{random.below(5 * size) - 2 * size, random.below(4 * size) - size / 2};
       const Scene::Count one = scene.by_tree(p), other = scene.by_all(p);
       ASSERT_EQ(one.touches, other.touches) << n << ' ' << p.i << ' ' << p.j;
       ASSERT_EQ(one.odd, other.odd) << n << ' ' << p.i << ' ' << p.j;
@@ -191,7 +201,9 @@ TEST(OutlineTree, FindsAllEdgesThatMeetATriangle) {
     const std::int64_t size = 20;
     const Scene scene(random.loops(size), axis, 1);
     Lattice t[3];
-    for (Lattice& p : t) p = {random.below(2 * size), random.below(2 * size)};
+    const Lattice at{random.below(4 * size) - 2 * size, random.below(3 * size)};
+    const std::int64_t reach = n % 2 == 0 ? size : 4;
+    for (Lattice& p : t) p = {at.i + random.below(reach), at.j + random.below(reach)};
     if (turn(t[0], t[1], t[2]) == 0) continue;
     if (turn(t[0], t[1], t[2]) < 0) std::swap(t[1], t[2]);
     std::set<std::uint32_t> found;
