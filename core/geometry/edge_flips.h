@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "numbers/rounding.h"
 #include "numbers/sign.h"
 
 namespace sectile {
@@ -43,7 +44,8 @@ class EdgeFlips {
     std::vector<std::uint32_t> open(mates_.size());
     for (std::uint32_t i = 0; i < open.size(); ++i)
       open[i] = static_cast<std::uint32_t>(open.size()) - 1 - i;
-    // As a rule there are few for each triangle; with more, shapes are good enough.
+    // As a rule there are one or two for each side. In the worst case there are n²: then shapes are
+    // left as good as time linear in n makes them.
     std::size_t left = 16 * mates_.size();
     while (!open.empty() && left > 0) {
       const std::uint32_t side = open.back();
@@ -96,26 +98,41 @@ class EdgeFlips {
     }
   }
 
-  // Of the two angles at an edge: does their sum clearly exceed a straight one, and can the edge be
-  // flipped?
+  // Does each of the two triangles certainly have the other's apex within its circle, so that the
+  // two angles at an edge make more than a straight one, and can the edge be flipped? What is
+  // summed up over all triangles, the volume under them on a paraboloid, falls with each flip: so
+  // none comes again.
   bool is_better_flipped(std::uint32_t side) const {
     const std::uint32_t mate = mates_[side];
     const std::uint32_t a = corner(side), b = corner(mate), p = corner(prev(side)),
                         q = corner(prev(mate));
-    const Angle here = angle(at_[a], at_[p], at_[b]), there = angle(at_[b], at_[q], at_[a]);
+    const Angle here(at_[a], at_[p], at_[b]), there(at_[b], at_[q], at_[a]);
     const double sine = here.sine * there.cosine + here.cosine * there.sine;
-    if (!(sine < -1e-9 * here.size * there.size)) return false;
+    const double weight =
+        here.sine_weight * there.cosine_weight + here.cosine_weight * there.sine_weight;
+    // In each term: two differences, a product and a sum in both factors, their product and the
+    // sum, ten roundings of half an ulp, with room; and what underflow takes of numbers up to
+    // 2^400. What is larger, or not finite, stays as it is.
+    constexpr double most = 0x1p400;
+    if (!(here.weight() < most && there.weight() < most)) return false;
+    if (!(sine < -(16 * rounding::unit * weight + 0x1p-600))) return false;
     return exact_.turn(p, a, q) == Sign::positive && exact_.turn(q, b, p) == Sign::positive;
   }
 
+  // Sine and cosine times the lengths of both sides, and what their terms sum up to without signs.
   struct Angle {
-    double sine, cosine, size;  // all of them times the lengths of the two sides
+    double sine, cosine, sine_weight, cosine_weight;
+    double weight() const { return sine_weight + cosine_weight; }
+
+    Angle(const Place& from, const Place& at, const Place& to) {
+      const double ux = from[0] - at[0], uy = from[1] - at[1], vx = to[0] - at[0],
+                   vy = to[1] - at[1];
+      sine = ux * vy - uy * vx;
+      cosine = ux * vx + uy * vy;
+      sine_weight = std::abs(ux * vy) + std::abs(uy * vx);
+      cosine_weight = std::abs(ux * vx) + std::abs(uy * vy);
+    }
   };
-  static Angle angle(const Place& from, const Place& at, const Place& to) {
-    const double ux = from[0] - at[0], uy = from[1] - at[1], vx = to[0] - at[0], vy = to[1] - at[1];
-    const double sine = ux * vy - uy * vx, cosine = ux * vx + uy * vy;
-    return {sine, cosine, std::abs(sine) + std::abs(cosine)};
-  }
 
   // Triangles (a, b, p) and (b, a, q) become (p, a, q) and (q, b, p).
   void flip(std::uint32_t side, std::vector<std::uint32_t>& open) {

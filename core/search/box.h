@@ -81,4 +81,11 @@ struct Bounds {
   }
 };
 
+inline Box box_around(const Vec3& p, const Vec3& q) {
+  Bounds bounds;
+  bounds.add(p);
+  bounds.add(q);
+  return bounds.box();
+}
+
 }  // namespace sectile

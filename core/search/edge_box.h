@@ -7,10 +7,7 @@
 namespace sectile {
 
 inline Box edge_box(const Geometry& geometry, PointId from, PointId to) {
-  Bounds bounds;
-  bounds.add(geometry.position(from));
-  bounds.add(geometry.position(to));
-  return bounds.box();
+  return box_around(geometry.position(from), geometry.position(to));
 }
 
 }  // namespace sectile

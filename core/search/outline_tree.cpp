@@ -16,13 +16,6 @@ double error_of(double x, double y, double reach) {
   return 8 * rounding::unit * (std::abs(x) + std::abs(y)) * reach + 0x1p-1000 * (1 + reach);
 }
 
-Box box_around(const Vec3& p, const Vec3& q) {
-  Bounds bounds;
-  bounds.add(p);
-  bounds.add(q);
-  return bounds.box();
-}
-
 }  // namespace
 
 OutlineTree::Target::Target(std::span<const Vec3> polygon) : slab(polygon) {

@@ -6,13 +6,28 @@ namespace {
 std::vector<Box> boxes_of(std::span<const PieceTree::Edge> edges) {
   std::vector<Box> boxes;
   boxes.reserve(edges.size());
-  for (const PieceTree::Edge& e : edges) {
-    Bounds bounds;
-    bounds.add(e.from);
-    bounds.add(e.to);
-    boxes.push_back(bounds.box());
-  }
+  for (const PieceTree::Edge& e : edges) boxes.push_back(box_around(e.from, e.to));
   return boxes;
+}
+
+// Do boxes cover each other many times over, by half their surfaces, so that oriented ones are
+// worth their while?
+bool are_slanted(std::span<const Box> boxes) {
+  constexpr double many_times = 4;
+  constexpr std::size_t few = 32;
+  if (boxes.size() < few) return false;
+  const auto surface = [](const Box& b) {
+    const double x = double(b.high[0]) - double(b.low[0]), y = double(b.high[1]) - double(b.low[1]),
+                 z = double(b.high[2]) - double(b.low[2]);
+    return x * y + y * z + z * x;
+  };
+  Box all;
+  double sum = 0;
+  for (const Box& b : boxes) {
+    all.add(b);
+    sum += surface(b);
+  }
+  return sum > many_times * surface(all);
 }
 
 }  // namespace
@@ -34,25 +49,6 @@ PieceTree::PieceTree(std::span<const Vec3> hull) {
   oriented_.emplace(tree_, [&](std::uint32_t, const auto& add) {
     for (const Vec3& p : hull) add(p);
   });
-}
-
-// Half of their surfaces.
-bool are_slanted(std::span<const Box> boxes) {
-  constexpr double many_times = 4;
-  constexpr std::size_t few = 32;
-  if (boxes.size() < few) return false;
-  const auto surface = [](const Box& b) {
-    const double x = double(b.high[0]) - double(b.low[0]), y = double(b.high[1]) - double(b.low[1]),
-                 z = double(b.high[2]) - double(b.low[2]);
-    return x * y + y * z + z * x;
-  };
-  Box all;
-  double sum = 0;
-  for (const Box& b : boxes) {
-    all.add(b);
-    sum += surface(b);
-  }
-  return sum > many_times * surface(all);
 }
 
 }  // namespace sectile

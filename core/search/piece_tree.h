@@ -43,7 +43,4 @@ class PieceTree {
   std::optional<OrientedTree> oriented_;
 };
 
-/// Do boxes cover each other many times over, so that oriented ones are worth their while?
-bool are_slanted(std::span<const Box> boxes);
-
 }  // namespace sectile
