@@ -27,7 +27,7 @@ Bounded near(const Dyadic& value) {
   const Dyadic rest = value - Dyadic(high);
   const double low = rest.nearest();
   if (rest == Dyadic(low)) return Bounded(high) + Bounded(low);
-  return Bounded(high) + Bounded::within(low, rounding::unit * std::abs(low) + rounding::smallest);
+  return Bounded(high) + Bounded::within(low, rounding::unit * std::abs(low) + rounding::underflow);
 }
 
 }  // namespace

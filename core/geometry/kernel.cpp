@@ -11,7 +11,7 @@ namespace sectile {
 namespace {
 
 // Bounds are for counted roundings, rounded up amply.
-using rounding::smallest;
+using rounding::underflow;
 using rounding::unit;
 
 template <class Value>
@@ -149,10 +149,6 @@ ConstructedPoint Kernel::construct(const Construction& how) const {
   return {position, equals(point, position)};
 }
 
-// Far more than a double near zero is off; products with it are normal doubles, as those with the
-// least one are not, and thereby many times as fast.
-constexpr double underflow = 0x1p-900;
-
 Estimate Kernel::estimate(PointId point, PlaneId plane) const {
   const PlaneValue& s = value(plane);
   const Vec3& p = geometry_.position(point);
@@ -160,9 +156,9 @@ Estimate Kernel::estimate(PointId point, PlaneId plane) const {
   // An implicit point's position is off by half an ulp at most: one more rounding each. Near zero
   // that is half the least double, whatever the normal makes of it.
   const double sum = std::abs(x) + std::abs(y) + std::abs(z) + std::abs(s.d);
-  const double size = std::abs(p.x) + std::abs(p.y) + std::abs(p.z) + 4 * smallest;
-  const double error = 12 * unit * sum + 8 * smallest + s.d_error +
-                       underflow * (std::abs(s.n[0]) + std::abs(s.n[1]) + std::abs(s.n[2])) +
+  const double size = std::abs(p.x) + std::abs(p.y) + std::abs(p.z) + 4 * underflow;
+  const double error = 12 * unit * sum + s.d_error +
+                       underflow * (8 + std::abs(s.n[0]) + std::abs(s.n[1]) + std::abs(s.n[2])) +
                        s.n_error * size * (1 + 8 * unit);
   return {x + y + z + s.d, error};
 }
@@ -231,7 +227,7 @@ Sign Kernel::det(PlaneId a, PlaneId b, PlaneId c) const {
   // A product of two factors that underflows is off by the least double times the third factor.
   if (!exact_operands)
     error += 2 * (u.n_error * lv * lw + v.n_error * lu * lw + w.n_error * lu * lv) +
-             4 * underflow * (lu + lv + lw) + 32 * smallest;
+             4 * underflow * (lu + lv + lw) + 32 * underflow;
   const Estimate verdict{sum, error};
   if (verdict.decided()) return verdict.sign();
   if (exact_operands && permanent == 0) return Sign::zero;
@@ -253,7 +249,7 @@ Sign Kernel::cross(PlaneId a, PlaneId b, int axis) const {
   if (!exact_operands)
     error += 2 * (u.n_error * (std::abs(v.n[i]) + std::abs(v.n[j]) + v.n_error) +
                   v.n_error * (std::abs(u.n[i]) + std::abs(u.n[j]) + u.n_error)) +
-             8 * smallest;
+             8 * underflow;
   const Estimate verdict{left - right, error};
   if (verdict.decided()) return verdict.sign();
   if (exact_operands) {
@@ -279,7 +275,7 @@ Estimate Kernel::estimated_cross(PlaneId a, PlaneId b, int& largest) const {
   }
   largest = std::abs(component[1]) > std::abs(component[0]) ? 1 : 0;
   if (std::abs(component[2]) > std::abs(component[largest])) largest = 2;
-  double error = 4 * unit * sum + 8 * smallest;
+  double error = 4 * unit * sum + 8 * underflow;
   if (!u.exact || !v.exact) {
     const auto size = [](const PlaneValue& s) {
       return std::abs(s.n[0]) + std::abs(s.n[1]) + std::abs(s.n[2]) + s.n_error;
@@ -380,10 +376,10 @@ Sign Kernel::turn(PointId p, PointId q, PointId r, int axis) const {
   const double left = (bi - ai) * (cj - aj), right = (bj - aj) * (ci - ai);
   const bool all_explicit =
       geometry_.is_explicit(p) && geometry_.is_explicit(q) && geometry_.is_explicit(r);
-  double error = 8 * unit * (std::abs(left) + std::abs(right)) + 8 * smallest;
+  double error = 8 * unit * (std::abs(left) + std::abs(right)) + 8 * underflow;
   if (!all_explicit) {
-    const double hi = 4 * unit * (std::abs(ai) + std::abs(bi) + std::abs(ci)) + 4 * smallest;
-    const double hj = 4 * unit * (std::abs(aj) + std::abs(bj) + std::abs(cj)) + 4 * smallest;
+    const double hi = 4 * unit * (std::abs(ai) + std::abs(bi) + std::abs(ci)) + 4 * underflow;
+    const double hj = 4 * unit * (std::abs(aj) + std::abs(bj) + std::abs(cj)) + 4 * underflow;
     error += 2 * (hi * (std::abs(cj - aj) + std::abs(bj - aj) + hj) +
                   hj * (std::abs(bi - ai) + std::abs(ci - ai) + hi));
   }

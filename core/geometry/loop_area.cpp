@@ -23,13 +23,13 @@ Estimate estimated_area(const Geometry& geometry, const std::vector<PointId>& lo
     last_i = di;
     last_j = dj;
   }
-  using rounding::smallest, rounding::unit;
+  using rounding::underflow, rounding::unit;
   const auto count = static_cast<double>(loop.size());
   // Positions near zero are off by half the least double.
   const double error = 16 * count * unit *
                            (count * extent_i * extent_j + size_i * extent_j + size_j * extent_i +
                             unit * size_i * size_j) +
-                       16 * count * smallest * (extent_i + extent_j) + count * 0x1p-1060;
+                       16 * count * underflow * (extent_i + extent_j) + count * underflow;
   return {area, error};
 }
 

@@ -15,7 +15,7 @@ namespace sectile {
 namespace {
 
 // Bounds are for counted roundings, rounded up amply.
-using rounding::smallest;
+using rounding::underflow;
 using rounding::unit;
 
 // Exact if all coordinates are multiples of one unit and below 2^16 of it: then differences have 17
@@ -50,7 +50,7 @@ bool axis_parallel(const Vec3& a, const Vec3& b, const Vec3& c, PlaneValue& valu
     const int i = next_axis(axis), j = next_next_axis(axis);
     const double left = (component(b, i) - component(a, i)) * (component(c, j) - component(a, j));
     const double right = (component(b, j) - component(a, j)) * (component(c, i) - component(a, i));
-    const double error = 8 * unit * (std::abs(left) + std::abs(right)) + 4 * smallest;
+    const double error = 8 * unit * (std::abs(left) + std::abs(right)) + 4 * underflow;
     const Sign sign = std::abs(left - right) > error ? sign_of(left - right)
                                                      : turn_of<Dyadic>(a, b, c, axis).sign();
     if (sign == Sign::zero) return false;
@@ -73,7 +73,7 @@ struct Points {
     if (exact) return 0;
     const double sum =
         std::abs(component(a, axis)) + std::abs(component(b, axis)) + std::abs(component(c, axis));
-    return 4 * unit * sum + 4 * smallest;
+    return 4 * unit * sum + 4 * underflow;
   }
 };
 
@@ -81,12 +81,12 @@ PlaneValue with_offset(PlaneValue value, const Points& points) {
   const Vec3& a = points.a;
   const double x = value.n[0] * a.x, y = value.n[1] * a.y, z = value.n[2] * a.z;
   value.d = -(x + y + z);
-  const double size = std::abs(a.x) + std::abs(a.y) + std::abs(a.z) + 4 * smallest;
+  const double size = std::abs(a.x) + std::abs(a.y) + std::abs(a.z) + 4 * underflow;
   value.d_error = value.n_error * size * (1 + 8 * unit) +
-                  8 * unit * (std::abs(x) + std::abs(y) + std::abs(z)) + 8 * smallest;
+                  8 * unit * (std::abs(x) + std::abs(y) + std::abs(z)) + 8 * underflow;
   if (!points.exact)
     value.d_error +=
-        smallest * (std::abs(value.n[0]) + std::abs(value.n[1]) + std::abs(value.n[2]));
+        underflow * (std::abs(value.n[0]) + std::abs(value.n[1]) + std::abs(value.n[2]));
   return value;
 }
 
@@ -111,7 +111,7 @@ double cross_slack(const double (&u)[3], const double (&v)[3], const double (&du
     // Not std::max, which may drop what is no number.
     if (!(sum <= most)) most = sum;
   }
-  return most * (1 + 8 * unit) + 8 * smallest;
+  return most * (1 + 8 * unit) + 8 * underflow;
 }
 
 void cross_product(const double (&u)[3], const double (&v)[3], PlaneValue& value) {
@@ -122,7 +122,7 @@ void cross_product(const double (&u)[3], const double (&v)[3], PlaneValue& value
     value.n[k] = left - right;
     sum = std::max(sum, std::abs(left) + std::abs(right));
   }
-  value.n_error = 8 * unit * sum + 4 * smallest;
+  value.n_error = 8 * unit * sum + 4 * underflow;
 }
 
 PlaneValue through_points(const Points& points) {
@@ -147,7 +147,7 @@ PlaneValue along_axis(const Points& points, int axis) {
   value.n[i] = u[j];
   value.n[j] = -u[i];
   value.n_error =
-      2 * unit * (std::abs(u[i]) + std::abs(u[j])) + smallest + points.slack(i) + points.slack(j);
+      2 * unit * (std::abs(u[i]) + std::abs(u[j])) + underflow + points.slack(i) + points.slack(j);
   value = with_offset(value, points);
   return points.exact ? exact_if_short(value, {a, b}) : value;
 }
@@ -158,7 +158,7 @@ PlaneValue along_direction(const Points& points, const ExactDirection& along) {
   double v[3], dv[3];
   for (int k = 0; k < 3; ++k) {
     v[k] = along.d[k].exact().nearest();
-    dv[k] = unit * std::abs(v[k]) + smallest;
+    dv[k] = unit * std::abs(v[k]) + underflow;
   }
   PlaneValue value{};
   cross_product(u, v, value);
@@ -182,8 +182,8 @@ PlaneValue with_coefficients(const ExactCoefficients& k) {
     largest = std::max(largest, std::abs(value.n[i]));
   }
   value.d = k.d.exact().nearest();
-  value.n_error = unit * largest + smallest;
-  value.d_error = unit * std::abs(value.d) + smallest;
+  value.n_error = unit * largest + underflow;
+  value.d_error = unit * std::abs(value.d) + underflow;
   return value;
 }
 

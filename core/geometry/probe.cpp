@@ -10,12 +10,12 @@
 namespace sectile {
 namespace {
 
-using rounding::smallest;
+using rounding::underflow;
 using rounding::unit;
 
 // A point's position is off by half an ulp at most.
 double position_error(double coordinate) {
-  return unit * std::abs(coordinate) + smallest;
+  return unit * std::abs(coordinate) + underflow;
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ NearPlace Probe::near_crossing() const {
     const double a = component(from, k), b = component(to, k), along = b - a;
     component(place.at, k) = a + share * along;
     component(place.error, k) =
-        (doubt * std::abs(along) + 12 * unit * (std::abs(a) + std::abs(b)) + 8 * smallest) *
+        (doubt * std::abs(along) + 12 * unit * (std::abs(a) + std::abs(b)) + 8 * underflow) *
         (1 + 16 * unit);
   }
   return place;
@@ -57,9 +57,11 @@ Sign Probe::clear_turn(PointId p, PointId q, int axis) const {
   const double ai = component(a, i), aj = component(a, j), bi = component(b, i),
                bj = component(b, j), ci = component(c.at, i), cj = component(c.at, j);
   const double left = (bi - ai) * (cj - aj), right = (bj - aj) * (ci - ai);
-  const double hi = 4 * unit * (std::abs(ai) + std::abs(bi)) + component(c.error, i) + 4 * smallest;
-  const double hj = 4 * unit * (std::abs(aj) + std::abs(bj)) + component(c.error, j) + 4 * smallest;
-  const double error = 8 * unit * (std::abs(left) + std::abs(right)) + 8 * smallest +
+  const double hi =
+      4 * unit * (std::abs(ai) + std::abs(bi)) + component(c.error, i) + 4 * underflow;
+  const double hj =
+      4 * unit * (std::abs(aj) + std::abs(bj)) + component(c.error, j) + 4 * underflow;
+  const double error = 8 * unit * (std::abs(left) + std::abs(right)) + 8 * underflow +
                        2 * (hi * (std::abs(cj - aj) + std::abs(bj - aj) + hj) +
                             hj * (std::abs(bi - ai) + std::abs(ci - ai) + hi));
   const Estimate turn{left - right, error};
@@ -90,7 +92,7 @@ Sign Probe::side(PlaneId plane) const {
       4 * unit * (std::abs(left) + std::abs(right)) +
       2 * (std::abs(u.value) * t.error + std::abs(t.value) * u.error + u.error * t.error +
            std::abs(v.value) * s.error + std::abs(s.value) * v.error + s.error * v.error) +
-      16 * smallest;
+      16 * underflow;
   const Estimate crossing{left - right, error};
   if (crossing.decided()) return crossing.sign() * to_side_;
   const Bounded near = value_at(kernel_.bounded(plane), bounded());

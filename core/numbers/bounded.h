@@ -64,7 +64,7 @@ class Bounded {
     const double low = std::fma(a.high_, b.high_, -high) + (a.high_ * b.low_ + a.low_ * b.high_);
     const double size_a = std::abs(a.high_), size_b = std::abs(b.high_);
     const double error = size_a * b.error_ + a.error_ * size_b + a.error_ * b.error_ +
-                         16 * unit * unit * std::abs(high) + 16 * smallest;
+                         16 * unit * unit * std::abs(high) + 16 * underflow;
     return normal(high, low, error * (1 + 16 * unit));
   }
 
@@ -81,7 +81,7 @@ class Bounded {
     // Divided before it is multiplied, so that underflow cannot hide the doubt.
     const double error =
         (2 * (std::abs(rest.low_) + rest.error_) / size + 2 * std::abs(second) * (doubt / size) +
-         8 * unit * std::abs(second) + 16 * smallest) *
+         8 * unit * std::abs(second) + 16 * underflow) *
         (1 + 16 * unit);
     return normal(first, second, error);
   }
@@ -108,12 +108,12 @@ class Bounded {
     const double share = (std::abs(half) + doubt / root) / root;
     const double error =
         (doubt / root + 2 * share * share * root + 4 * unit * std::abs(half)) * (1 + 16 * unit) +
-        16 * smallest;
+        16 * underflow;
     return normal(root, half, error);
   }
 
  private:
-  static constexpr double unit = rounding::unit, smallest = rounding::smallest;
+  static constexpr double unit = rounding::unit, underflow = rounding::underflow;
 
   Bounded(double high, double low, double error) : high_(high), low_(low), error_(error) {}
 

@@ -69,6 +69,10 @@ struct Bounds {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
+  bool contains(const Vec3& p) const {
+    return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y && low.z <= p.z &&
+           p.z <= high.z;
+  }
   Box box() const {
     Box result;
     result.low[0] = round_down(low.x);

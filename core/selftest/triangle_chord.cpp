@@ -10,7 +10,7 @@
 namespace sectile {
 namespace {
 
-using rounding::smallest;
+using rounding::underflow;
 using rounding::unit;
 
 PointOf<Bounded> bounded_point(const Kernel& kernel, PointId p) {
@@ -67,7 +67,7 @@ ChordEnd ChordFinder::corner(PointId p) const {
   const Vec3& near = kernel_.geometry().position(p);
   const double at = component(near, axis_);
   if (kernel_.geometry().is_explicit(p)) return {p, p, PlaneId(), at, at, near};
-  const double doubt = 2 * unit * std::abs(at) + 2 * smallest;
+  const double doubt = 2 * unit * std::abs(at) + 2 * underflow;
   return {p, p, PlaneId(), at - doubt, at + doubt, near};
 }
 
@@ -81,7 +81,7 @@ ChordEnd ChordFinder::crossing(PointId from, PointId to, PlaneId plane) const {
   const double most = std::min(1.0, most_u / (most_u + least_v) * (1 + 8 * unit));
   const double at_u = component(u, axis_), at_v = component(v, axis_);
   const double first = at_u + least * (at_v - at_u), last = at_u + most * (at_v - at_u);
-  const double doubt = 16 * unit * (std::abs(at_u) + std::abs(at_v)) + 16 * smallest;
+  const double doubt = 16 * unit * (std::abs(at_u) + std::abs(at_v)) + 16 * underflow;
   ChordEnd end{from, to, plane, std::min(first, last) - doubt, std::max(first, last) + doubt, u};
   if (std::isfinite(end.low) && std::isfinite(end.high)) {
     end.near = between(u, v, (least + most) / 2);

@@ -40,7 +40,7 @@ class MeetsPlane {
     }
     // The boxes are those of rounded positions: off by half an ulp, or half the least double.
     const double length = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
-    const double margin = 16 * rounding::unit * size + rounding::smallest * (16 + length);
+    const double margin = 16 * rounding::unit * size + rounding::underflow * (16 + length);
     return !(low > margin) && !(high < -margin);
   }
 

@@ -10,7 +10,7 @@
 namespace sectile {
 namespace {
 
-using rounding::smallest;
+using rounding::underflow;
 using rounding::unit;
 
 using Corner = std::array<Bounded, 3>;
@@ -127,10 +127,10 @@ class VolumeBelow {
   }
   // Eight products of a turn may underflow, and four of a term.
   Bounded value() const {
-    return sum_.value(128) + Bounded::within(0, 16 * smallest * (heights_ + sum_.terms()));
+    return sum_.value(128) + Bounded::within(0, 16 * underflow * (heights_ + sum_.terms()));
   }
   Bounded shadow() const {
-    return shadow_.value(32) + Bounded::within(0, 16 * smallest * sum_.terms());
+    return shadow_.value(32) + Bounded::within(0, 16 * underflow * sum_.terms());
   }
 
  private:

@@ -132,6 +132,12 @@ GeometryOffset append_geometry(const Geometry& from, Geometry& to, bool turned) 
     to.coefficients.push_back(turned ? negated(k) : k);
   for (const auto& k : from.exact_coefficients)
     to.exact_coefficients.push_back(turned ? negated(*k) : k);
+  const auto make_room = [](auto& table, const auto& more) {
+    if (table.empty()) table.reserve(more.size());
+  };
+  make_room(to.construct, from.construct);
+  make_room(to.constructions, from.constructions);
+  make_room(to.planes, from.planes);
   std::vector<std::uint32_t> frames, directions;
   for (const auto& f : from.frames) frames.push_back(shared_in(to.frames, f));
   for (const auto& d : from.directions) directions.push_back(shared_in(to.directions, d));

@@ -58,6 +58,8 @@ class Brep {
   void resize_half_edges(std::size_t count);
   void resize_faces(std::size_t count);
   void resize_loops(std::size_t count);
+  /// Without links; two make an edge.
+  HalfEdgeId add_half_edge(VertexId from);
   /// A face with its outer loop, which may come later; `kind` stays as it is.
   FaceId add_face(PlaneId of_plane, const FaceSource& of_source, LoopId outer = {});
   /// A loop of a face, and the one after it in the face's chain.
@@ -110,6 +112,13 @@ inline void Brep::resize_half_edges(std::size_t count) {
   next.resize(count);
   prev.resize(count);
   loop.resize(count);
+}
+
+inline HalfEdgeId Brep::add_half_edge(VertexId from) {
+  next.add({});
+  prev.add({});
+  loop.add({});
+  return origin.add(from);
 }
 
 inline void Brep::resize_faces(std::size_t count) {

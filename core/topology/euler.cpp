@@ -5,10 +5,8 @@
 namespace sectile {
 
 HalfEdgeId Euler::add_edge(VertexId from, VertexId to) {
-  const HalfEdgeId h(brep_.half_edge_count());
-  brep_.resize_half_edges(brep_.half_edge_count() + 2);
-  brep_.origin[h] = from;
-  brep_.origin[Brep::twin(h)] = to;
+  const HalfEdgeId h = brep_.add_half_edge(from);
+  brep_.add_half_edge(to);
   if (!brep_.edge_plane.empty()) brep_.edge_plane.add(PlaneId());
   return h;
 }

@@ -190,10 +190,11 @@ class SegmentBuilder {
       if (in[h.operand] != h.forward)
         throw InternalError("the material around a line does not alternate");
       const HalfPlane* partner = nullptr;
-      for (const HalfPlane* beside :
-           {&planes[i + 1 < planes.size() ? i + 1 : 0], &planes[i > 0 ? i - 1 : planes.size() - 1]})
-        if (beside->operand != h.operand && line_.tied(line_side(h), line_side(*beside)))
-          partner = beside;
+      for (const std::size_t beside :
+           {i + 1 < planes.size() ? i + 1 : 0, i > 0 ? i - 1 : planes.size() - 1})
+        if (planes[beside].operand != h.operand && sorted_[beside].quarter == sorted_[i].quarter &&
+            line_.tied(line_side(h), line_side(planes[beside])))
+          partner = &planes[beside];
       if (partner)
         h.cls = partner->forward == h.forward ? Class::on_plus : Class::on_minus;
       else

@@ -1,6 +1,7 @@
 // Operands may touch themselves where their structure does not say so: an edge that lies on a face,
 // or on a part of another edge. All entities through a contact place must end their segments there.
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,9 +14,14 @@ namespace sectile {
 namespace {
 
 class Noding {
+  static constexpr std::size_t few_pairs = 2048;
+
  public:
-  Noding(const Workspace& w, const Contacts& found)
-      : w_(w), kernel_(w.tests()), found_(found), places_(as_edges(w, found)) {}
+  Noding(const Workspace& w, const Contacts& found) : w_(w), kernel_(w.tests()), found_(found) {
+    at_.reserve(found.places.size());
+    for (const PlaceId place : found.places.ids()) at_.add(w.geometry.position(found.point(place)));
+    if (found.segments.size() * at_.size() > few_pairs) tree_.emplace(tree_of_places());
+  }
 
   // Some records that follow each other, and so are near each other, as a rule.
   void split(std::span<const SegmentRecord> records, std::vector<SegmentRecord>& out) const {
@@ -35,16 +41,12 @@ class Noding {
     PlaceId place;
   };
 
-  static std::vector<PieceTree::Edge> as_edges(const Workspace& w, const Contacts& found) {
+  PieceTree tree_of_places() const {
     std::vector<PieceTree::Edge> edges;
-    edges.reserve(found.places.size());
-    for (const PlaceId place : found.places.ids()) {
-      const Vec3& at = w.geometry.position(found.point(place));
-      edges.push_back({at, at});
-    }
-    return edges;
+    edges.reserve(at_.size());
+    for (const Vec3& p : at_) edges.push_back({p, p});
+    return PieceTree(edges);
   }
-  const Vec3& at(PlaceId place) const { return w_.geometry.position(found_.point(place)); }
 
   void split(const SegmentRecord& record, std::span<const PlaceInside> inside,
              std::vector<SegmentRecord>& out) const {
@@ -80,12 +82,9 @@ class Noding {
 
   // Those strictly between the ends of each record, in order.
   std::vector<PlaceInside> places_inside(std::span<const SegmentRecord> records) const {
-    std::vector<PieceTree::Edge> edges;
-    edges.reserve(records.size());
-    for (const SegmentRecord& r : records) edges.push_back({at(r.place[0]), at(r.place[1])});
     std::vector<PlaceInside> inside;
-    PieceTree::overlaps(PieceTree(edges, true), places_, [&](std::uint32_t i, std::uint32_t place) {
-      if (is_inside(records[i], PlaceId(place))) inside.push_back({i, PlaceId(place)});
+    for_each_near(records, [&](std::uint32_t i, PlaceId place) {
+      if (is_inside(records[i], place)) inside.push_back({i, place});
     });
     if (inside.empty()) return inside;
     std::sort(inside.begin(), inside.end(), [&](const PlaceInside& p, const PlaceInside& q) {
@@ -93,6 +92,29 @@ class Noding {
                                   : precedes(records[p.record], p.place, q.place);
     });
     return inside;
+  }
+
+  // Calls visit(number of a record, place) where the place may be within the record.
+  template <class Visit>
+  void for_each_near(std::span<const SegmentRecord> records, const Visit& visit) const {
+    if (!tree_) {
+      for (std::uint32_t i = 0; i < records.size(); ++i) for_each_near(records[i], i, visit);
+      return;
+    }
+    std::vector<PieceTree::Edge> edges;
+    edges.reserve(records.size());
+    for (const SegmentRecord& r : records) edges.push_back({at_[r.place[0]], at_[r.place[1]]});
+    PieceTree::overlaps(PieceTree(edges, true), *tree_,
+                        [&](std::uint32_t i, std::uint32_t place) { visit(i, PlaceId(place)); });
+  }
+
+  // Rounding is monotonic: what is between two places on each axis is so when rounded.
+  template <class Visit>
+  void for_each_near(const SegmentRecord& record, std::uint32_t number, const Visit& visit) const {
+    Bounds near;
+    for (const PlaceId end : record.place) near.add(at_[end]);
+    for (const PlaceId place : at_.ids())
+      if (near.contains(at_[place])) visit(number, place);
   }
 
   bool is_inside(const SegmentRecord& record, PlaceId place) const {
@@ -116,7 +138,8 @@ class Noding {
   const Workspace& w_;
   const Kernel& kernel_;
   const Contacts& found_;
-  PieceTree places_;
+  Table<PlaceId, Vec3> at_;
+  std::optional<PieceTree> tree_;  // over the places; none where looking at all takes no longer
 };
 
 }  // namespace
