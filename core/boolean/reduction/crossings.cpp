@@ -36,6 +36,11 @@ class CrossingEdges {
 
   void operator()(std::size_t group, std::vector<Crossing>& out) const {
     const std::span<const std::uint32_t> records = groups_[group];
+    if (records.size() <= few) {
+      for (std::size_t i = 0; i < records.size(); ++i)
+        for (std::size_t j = i + 1; j < records.size(); ++j) cross(records[i], records[j], out);
+      return;
+    }
     std::vector<PieceTree::Edge> edges;
     edges.reserve(records.size());
     for (const std::uint32_t r : records)
@@ -46,6 +51,8 @@ class CrossingEdges {
   }
 
  private:
+  static constexpr std::size_t few = 8;
+
   FaceId face(std::uint32_t record) const { return found_.segments[record].on[other(s_)].face(); }
   HalfEdgeId half_edge(std::uint32_t record) const {
     return Brep::half_edge(found_.segments[record].on[s_].edge());
@@ -106,7 +113,7 @@ bool add_crossings(Workspace& w, Contacts& found) {
     const CrossingEdges edges(w, found, s);
     using Crossings = std::vector<Crossing>;
     for (const Crossings& some : collect<Crossings>(
-             w, edges.groups(), 1, [&](std::size_t i, Crossings&out) { edges(i, out); }))
+             w, edges.groups(), 32, [&](std::size_t i, Crossings&out) { edges(i, out); }))
       append(crossings, some);
   }
   if (crossings.empty()) return false;
