@@ -27,19 +27,66 @@ class EdgeNodes {
     first_ = bucket_sort(
         order_, w.patch[solid].brep.edge_count(),
         [&](ContactId i) { return found.contacts[i].on[solid].edge().value(); }, std::less<>());
-    for (const EdgeId e : w.patch[solid].brep.edges())
-      if (first_[e.value() + 1] - first_[e.value()] > 1) sort_along(e);
+    by_entity_.resize(order_.size());
+    for (const EdgeId e : w.patch[solid].brep.edges()) {
+      const std::uint32_t count = first_[e.value() + 1] - first_[e.value()];
+      if (count > 1) sort_along(e);
+      if (count > few_nodes) sort_by_entity(e);
+    }
   }
 
   /// Indices of the contacts on an edge, but for some that are not in the box; those at one place
   /// are neighbours.
   std::span<const ContactId> near(EdgeId e, const Box& box) const {
-    const std::uint32_t first = first_[e.value()], last = first_[e.value() + 1];
-    const std::span<const ContactId> nodes = std::span(order_).subspan(first, last - first);
+    const std::span<const ContactId> nodes = on(e, order_);
     return nodes.size() < 2 ? nodes : within(nodes, box);
   }
 
+  /// So many are looked at one by one.
+  static constexpr std::size_t few_nodes = 64;
+
+  /// Of more than a few on an edge, those with a face of few corners, its edges and its vertices;
+  /// else as near().
+  std::span<const ContactId> with(FaceId face, EdgeId e, std::vector<ContactId>& found) const {
+    const Brep& across = w_.patch[other(solid_)].brep;
+    std::vector<std::uint32_t> at;
+    const auto add = [&](Entity entity) {
+      for (const Across& node :
+           std::ranges::equal_range(on(e, by_entity_), entity, {}, &Across::entity))
+        at.push_back(node.at);
+    };
+    add(face);
+    for_each_in_face(across, face, [&](HalfEdgeId h) {
+      add(Brep::edge_of(h));
+      add(across.from(h));
+    });
+    std::sort(at.begin(), at.end());
+    at.erase(std::unique(at.begin(), at.end()), at.end());
+    found.clear();
+    for (const std::uint32_t i : at) found.push_back(order_[i]);
+    return found;
+  }
+
  private:
+  // What an edge meets in one of its nodes.
+  struct Across {
+    Entity entity;
+    std::uint32_t at;  // in the order along the edges
+    friend auto operator<=>(const Across&, const Across&) = default;
+  };
+
+  template <class T>
+  std::span<const T> on(EdgeId e, const std::vector<T>& nodes) const {
+    return std::span(nodes).subspan(first_[e.value()], first_[e.value() + 1] - first_[e.value()]);
+  }
+
+  void sort_by_entity(EdgeId e) {
+    const std::uint32_t first = first_[e.value()], last = first_[e.value() + 1];
+    for (std::uint32_t i = first; i < last; ++i)
+      by_entity_[i] = {found_.contacts[order_[i]].on[other(solid_)], i};
+    std::sort(by_entity_.begin() + first, by_entity_.begin() + last);
+  }
+
   void sort_along(EdgeId e) {
     const Patch& patch = w_.patch[solid_];
     const HalfEdgeId h = Brep::half_edge(e);
@@ -83,6 +130,7 @@ class EdgeNodes {
   const Contacts& found_;
   Operand solid_;
   std::vector<ContactId> order_;      // by edge, then along it
+  std::vector<Across> by_entity_;     // by edge, then by entity, for edges with many nodes
   std::vector<std::uint32_t> first_;  // per edge, and the end
 };
 
@@ -307,12 +355,21 @@ class EdgeInPlane {
     const Patch& across = w_.patch[other(s_)];
     const Box near = across.unbounded ? Box::everything() : across.face_boxes[pair.face.value()];
     add_end(pair, brep.from(h));
-    for (const ContactId i : nodes_.near(pair.edge, near)) {
+    for (const ContactId i : contacts_on(pair, near)) {
       const Contact& c = found_.contacts[i];
       if (used_ == 0 || places_[used_ - 1].place != c.place) begin_node(c.place, pair.edge);
       add(places_[used_ - 1], pair.face, c.on[other(s_)]);
     }
     add_end(pair, brep.to(h));
+  }
+
+  // Other faces' contacts divide the edge, too, but that can be made up for: where the edge is one
+  // of many in one place, each has contacts with all the others.
+  std::span<const ContactId> contacts_on(const InPlane& pair, const Box& near) {
+    const std::span<const ContactId> nodes = nodes_.near(pair.edge, near);
+    const bool many =
+        nodes.size() > EdgeNodes::few_nodes && !w_.patch[other(s_)].outline[pair.face.value()];
+    return many ? nodes_.with(pair.face, pair.edge, of_face_) : nodes;
   }
 
   void add_end(const InPlane& pair, VertexId v) {
@@ -366,6 +423,7 @@ class EdgeInPlane {
   std::vector<SegmentRecord>& out_;
   std::vector<Node> places_;  // those used are of this edge; the others are kept for their memory
   std::size_t used_ = 0;
+  std::vector<ContactId> of_face_;  // of the pair that is looked at
 };
 
 }  // namespace
