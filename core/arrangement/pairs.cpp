@@ -200,11 +200,15 @@ bool turns_back(const Facets& facets, std::uint32_t c, std::uint32_t d, const Ke
 std::optional<OrientedTree> oriented_tree_of(const Facets& facets, const BoxTree& tree,
                                              const Geometry& geometry) {
   const auto for_each_corner = [&](std::uint32_t f, const auto& add) {
-    for (const PointId p : facets.polygons.loop(facets.polygons.first_loop(f)))
-      add(geometry.position(p));
+    for_each_outer_corner(facets, f, [&](PointId p) { add(geometry.position(p)); });
   };
   if (!has_slanted_needles(facets.face_count(), for_each_corner)) return {};
   return OrientedTree(tree, for_each_corner);
+}
+
+void add(const PairTest& test, std::uint32_t f, std::uint32_t g, std::vector<FacePair>& pairs) {
+  if (f > g) std::swap(f, g);
+  if (const auto how = test(f, g)) pairs.push_back({f, g, *how});
 }
 
 }  // namespace
@@ -232,7 +236,7 @@ std::vector<std::uint8_t> find_convex(const Facets& facets, const Kernel& kernel
   return convex;
 }
 
-std::vector<FacePair> find_pairs(const Facets& facets, const BoxTree& tree,
+std::vector<FacePair> find_pairs(const Facets& facets, const FacetTree& tree,
                                  const std::vector<std::uint8_t>& convex, const Kernel& kernel,
                                  const Steering& steering) {
   const PairTest test(facets, convex, kernel);
@@ -241,18 +245,22 @@ std::vector<FacePair> find_pairs(const Facets& facets, const BoxTree& tree,
   const OrientedApart apart(tree, boxes, tree, boxes);
   const auto parts = tree.self_parts(512);
   using Found = std::vector<FacePair>;
+  const auto by_boxes = collect<Found>(parts.size(), 1, [&](std::size_t i, Found& out) {
+    steering.check();
+    tree.self_overlaps(
+        parts[i], [&](std::uint32_t f, std::uint32_t g) { add(test, f, g, out); }, apart);
+  });
+  // Around a corner only boxes of directions tell.
+  const auto by_directions = collect<Found>(tree.fans().count(), 1, [&](std::size_t i, Found& out) {
+    steering.check();
+    tree.fans().for_each_pair(
+        i, kernel.geometry(),
+        [&](std::uint32_t f, const auto& visit) { for_each_outer_corner(facets, f, visit); },
+        [&](std::uint32_t f, std::uint32_t g) { add(test, f, g, out); });
+  });
   std::vector<FacePair> pairs;
-  for (const Found& found : collect<Found>(parts.size(), 1, [&](std::size_t i, Found&out) {
-         steering.check();
-         tree.self_overlaps(
-             parts[i],
-             [&](std::uint32_t f, std::uint32_t g) {
-               if (f > g) std::swap(f, g);
-               if (const auto how = test(f, g)) out.push_back({f, g, *how});
-             },
-             apart);
-       }))
-    append(pairs, found);
+  for (const auto* all : {&by_boxes, &by_directions})
+    for (const Found& found : *all) append(pairs, found);
   parallel::sort(pairs.begin(), pairs.end());
   return pairs;
 }

@@ -3,9 +3,8 @@
 
 #include <vector>
 
-#include "arrangement/facets.h"
+#include "arrangement/facet_tree.h"
 #include "arrangement/steering.h"
-#include "search/box_tree.h"
 
 namespace sectile::arrangement {
 
@@ -24,8 +23,8 @@ struct FacePair {
 /// Is the face one loop without a turn to the right or back?
 std::vector<std::uint8_t> find_convex(const Facets& facets, const Kernel& kernel);
 
-/// All pairs that may meet, in order. From the tree of the faces' boxes against itself.
-std::vector<FacePair> find_pairs(const Facets& facets, const BoxTree& tree,
+/// All pairs that may meet, in order.
+std::vector<FacePair> find_pairs(const Facets& facets, const FacetTree& tree,
                                  const std::vector<std::uint8_t>& convex, const Kernel& kernel,
                                  const Steering& steering);
 

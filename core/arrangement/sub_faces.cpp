@@ -205,20 +205,7 @@ std::vector<std::uint8_t> faces_to_look_at(const Facets& facets, const std::vect
 
 }  // namespace
 
-BoxTree tree_of(const Facets& facets, const Geometry& geometry) {
-  std::vector<Box> boxes(facets.face_count());
-  parallel::loop(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
-    for (std::size_t f = range.begin(); f < range.end(); ++f) {
-      Bounds bounds;
-      for (const PointId p : facets.polygons.loop(facets.polygons.first_loop(f)))
-        bounds.add(geometry.position(p));
-      boxes[f] = bounds.box();
-    }
-  });
-  return BoxTree(boxes);
-}
-
-SubFaces arrange(const Facets& facets, const BoxTree& tree, Counting counting, Geometry& geometry,
+SubFaces arrange(const Facets& facets, const FacetTree& tree, Counting counting, Geometry& geometry,
                  Kernel& kernel, const Steering& steering) {
   const std::vector<std::uint8_t> convex = find_convex(facets, kernel);
   const std::vector<FacePair> pairs = find_pairs(facets, tree, convex, kernel, steering);

@@ -1,10 +1,9 @@
 // The faces of an arrangement: parts of faces that meet only in common edges and corners.
 #pragma once
 
-#include "arrangement/facets.h"
+#include "arrangement/facet_tree.h"
 #include "arrangement/steering.h"
 #include "arrangement/winding.h"
-#include "search/box_tree.h"
 
 namespace sectile::arrangement {
 
@@ -31,11 +30,9 @@ struct SubFaces {
   }
 };
 
-BoxTree tree_of(const Facets& facets, const Geometry& geometry);
-
 /// Adds the points in which faces meet to the geometry. Parts whose faces cancel each other are
 /// left out.
-SubFaces arrange(const Facets& facets, const BoxTree& tree, Counting counting, Geometry& geometry,
+SubFaces arrange(const Facets& facets, const FacetTree& tree, Counting counting, Geometry& geometry,
                  Kernel& kernel, const Steering& steering);
 
 }  // namespace sectile::arrangement

@@ -3,19 +3,12 @@
 
 #include "boolean/boolean.h"
 #include "boolean/collect.h"
+#include "boolean/common_hubs.h"
 #include "boolean/equal_planes.h"
 #include "storage/near_faces.h"
 
 namespace sectile {
 namespace {
-
-bool same_point(const Geometry& a, PointId p, const Geometry& b, PointId q) {
-  if (!(a.position(p) == b.position(q))) return false;
-  if (a.is_explicit(p) && b.is_explicit(q)) return true;
-  Geometry both;
-  const PointId mine = load_point(a, p, both), across = load_point(b, q, both);
-  return Kernel(both).same_point(mine, across);
-}
 
 // The slots of two solids whose blocks may meet.
 class SlotPairs {
@@ -54,135 +47,6 @@ class SlotPairs {
 
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
   PerOperand<std::vector<std::uint32_t>> slots_;
-};
-
-// The hubs of both solids' blocks, those at one place together.
-class CommonHubs {
- public:
-  CommonHubs(const SolidData& a, const SolidData& b, const SlotPairs& slots) : data_{&a, &b} {
-    for (const Operand s : both_operands) {
-      first_[s].resize(data_[s]->slots().size());
-      for (const std::uint32_t slot : slots.slots(s)) {
-        const std::size_t count = hubs(s, slot).size();
-        first_[s][slot] = static_cast<std::uint32_t>(place_[s].size());
-        for (std::uint32_t h = 0; h < count; ++h) order_.push_back({s, slot, h});
-        place_[s].resize(place_[s].size() + count);
-      }
-    }
-    if (place_[Operand::a].empty() || place_[Operand::b].empty()) order_.clear();
-    std::sort(order_.begin(), order_.end(), [&](const Hub& g, const Hub& h) {
-      const Vec3 &p = position(g), &q = position(h);
-      return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
-    });
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      std::size_t j = i;
-      while (j > 0 && position(order_[j - 1]) == position(order_[i]) &&
-             !are_at_one_place(order_[j - 1], order_[i]))
-        --j;
-      const bool known = j > 0 && position(order_[j - 1]) == position(order_[i]);
-      place_of(order_[i]) = known ? place_of(order_[j - 1]) : static_cast<std::uint32_t>(i);
-    }
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](const Hub& g, const Hub& h) { return place_of(g) < place_of(h); });
-  }
-
-  bool empty() const { return order_.empty(); }
-  /// Hubs of two blocks.
-  bool are_at_one_place(std::uint32_t slot_of_a, std::uint32_t hub_of_a, std::uint32_t slot_of_b,
-                        std::uint32_t hub_of_b) const {
-    return place_[Operand::a][first_[Operand::a][slot_of_a] + hub_of_a] ==
-           place_[Operand::b][first_[Operand::b][slot_of_b] + hub_of_b];
-  }
-
-  /// The pairs that leave a common hub in a common direction.
-  void add_pairs(FacePairs& pairs) const {
-    for_each_place([&](const Fan& a, const Fan& b, const Vec3&) {
-      BoxTree::overlaps(BoxTree(a.directions), BoxTree(b.directions),
-                        [&](std::uint32_t i, std::uint32_t j) {
-                          pairs.push_back({a.faces[i], b.faces[j]});
-                        });
-    });
-  }
-
-  /// All faces at a common hub meet there.
-  template <class Marks>
-  void mark_faces(Marks& of_a, Marks& of_b) const {
-    for_each_place([&](const Fan& a, const Fan& b, const Vec3&) {
-      for (const FaceId f : a.faces) of_a.mark(f);
-      for (const FaceId g : b.faces) of_b.mark(g);
-    });
-  }
-
-  /// The hub itself meets every face of the other fan: the pairs in which that is tested.
-  void add_pairs_of_owners(const Workspace& w, FacePairs& pairs) const {
-    for_each_place([&](const Fan& a, const Fan& b, const Vec3& place) {
-      for (const FaceId f : owners_at(w, Operand::a, a, place))
-        for (const FaceId g : b.faces) pairs.push_back({f, loaded_face(w.patch[Operand::b], g)});
-      for (const FaceId g : owners_at(w, Operand::b, b, place))
-        for (const FaceId f : a.faces) pairs.push_back({loaded_face(w.patch[Operand::a], f), g});
-    });
-  }
-
- private:
-  struct Hub {
-    Operand solid;
-    std::uint32_t slot, number;
-  };
-  struct Fan {
-    std::vector<FaceId> faces;
-    std::vector<Box> directions;
-  };
-
-  const Block& block(Operand s, std::uint32_t slot) const { return *data_[s]->slot(slot).block; }
-  const Block& block(const Hub& h) const { return block(h.solid, h.slot); }
-  const Hubs& hubs(Operand s, std::uint32_t slot) const { return block(s, slot).tree().hubs(); }
-  PointId point(const Hub& h) const { return hubs(h.solid, h.slot).point(h.number); }
-  const Vec3& position(const Hub& h) const { return block(h).geometry().position(point(h)); }
-  std::uint32_t& place_of(const Hub& h) {
-    return place_[h.solid][first_[h.solid][h.slot] + h.number];
-  }
-  std::uint32_t place_of(const Hub& h) const {
-    return place_[h.solid][first_[h.solid][h.slot] + h.number];
-  }
-  bool are_at_one_place(const Hub& g, const Hub& h) const {
-    return same_point(block(g).geometry(), point(g), block(h).geometry(), point(h));
-  }
-
-  template <class Visit>
-  void for_each_place(const Visit& visit) const {
-    for (std::size_t from = 0, to; from < order_.size(); from = to) {
-      PerOperand<Fan> fan;
-      for (to = from; to < order_.size() && place_of(order_[to]) == place_of(order_[from]); ++to) {
-        const Hub& h = order_[to];
-        const auto faces = hubs(h.solid, h.slot).faces(h.number);
-        Fan& mine = fan[h.solid];
-        for (const FaceId f : faces) mine.faces.push_back(data_[h.solid]->face(h.slot, f));
-        append(mine.directions,
-               direction_boxes(block(h).brep(), block(h).geometry(), point(h), faces));
-      }
-      if (!fan[Operand::a].faces.empty() && !fan[Operand::b].faces.empty())
-        visit(fan[Operand::a], fan[Operand::b], position(order_[from]));
-    }
-  }
-
-  static std::vector<FaceId> owners_at(const Workspace& w, Operand s, const Fan& fan,
-                                       const Vec3& place) {
-    const Patch& patch = w.patch[s];
-    std::vector<FaceId> owners;
-    for (const FaceId f : fan.faces)
-      for_each_in_face(patch.brep, loaded_face(patch, f), [&](HalfEdgeId h) {
-        const VertexId v = patch.brep.from(h);
-        if (w.geometry.position(patch.brep.point_of(v)) == place) owners.push_back(patch.owner(v));
-      });
-    std::sort(owners.begin(), owners.end());
-    owners.erase(std::unique(owners.begin(), owners.end()), owners.end());
-    return owners;
-  }
-
-  PerOperand<const SolidData*> data_;
-  std::vector<Hub> order_;                        // by place
-  PerOperand<std::vector<std::uint32_t>> first_;  // per slot: its first hub
-  PerOperand<std::vector<std::uint32_t>> place_;  // per hub
 };
 
 // The faces of the slots that are near, those in pairs marked. They have numbers one after another:
@@ -300,7 +164,7 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
           FacePairs& pairs) {
   make_trees(w, a, slots.slots(Operand::a));
   make_trees(w, b, slots.slots(Operand::b));
-  const CommonHubs hubs(a, b, slots);
+  const CommonHubs hubs(a, b, {{slots.slots(Operand::a), slots.slots(Operand::b)}});
   pairs.clear();
   add_pairs(w, a, b, slots, hubs, pairs);
   hubs.add_pairs(pairs);
@@ -309,7 +173,9 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
     of_a.mark(f);
     of_b.mark(g);
   }
-  hubs.mark_faces(of_a, of_b);
+  const PerOperand<std::vector<FaceId>> at_hubs = hubs.faces();
+  for (const FaceId f : at_hubs[Operand::a]) of_a.mark(f);
+  for (const FaceId g : at_hubs[Operand::b]) of_b.mark(g);
   load_patches(w, a, of_a.marked(), b, of_b.marked());
   w.kernel = std::make_unique<Kernel>(w.geometry);
   for (auto& [f, g] : pairs) {

@@ -38,6 +38,10 @@ struct Patch {
   std::vector<std::vector<HalfEdgeId>> outline_half_edges;
   std::vector<Box> face_boxes;
 
+  /// Per loaded vertex: the one that is tested for all in its place. Empty if each is tested
+  /// itself.
+  Table<VertexId, VertexId> tested;
+
   std::size_t loaded_faces = 0, loaded_edges = 0, loaded_vertices = 0;
   bool whole = false;  ///< all faces of the operand are loaded
   /// The half-space's face has no boundary and reaches to infinity.
@@ -62,6 +66,8 @@ struct Patch {
     return is_real(f) ? f : brep.face_of(Brep::half_edge(e, 1));
   }
   FaceId owner(VertexId v) const { return brep.face_of(brep.vertex_half_edge[v]); }
+  /// Where very many vertices are in one place, one of them is tested against the faces there.
+  VertexId tested_for(VertexId v) const { return tested.empty() ? v : tested[v]; }
 };
 
 /// Loads the given faces (ascending) of a solid; its points and planes are added to `geometry`.

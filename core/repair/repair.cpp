@@ -280,7 +280,7 @@ class Repairer {
   Solid arranged() {
     const Counting counting = options_.rule == Rule::odd ? Counting::parity : Counting::oriented;
     const Facets all = facets();
-    const BoxTree tree = arrangement::tree_of(all, geometry_);
+    const arrangement::FacetTree tree(all, geometry_);
     const SubFaces faces =
         arrangement::arrange(all, tree, counting, geometry_, *kernel_, steering_);
     const Cells cells =

@@ -55,12 +55,35 @@ std::vector<std::uint32_t> sorted_along_curve(const std::vector<Box>& boxes) {
   return items;
 }
 
+// Puts each group where the box around it is on the curve.
+void put_groups_together(std::vector<std::uint32_t>& items, const std::vector<Box>& boxes,
+                         const std::vector<std::uint32_t>& group) {
+  Box all;
+  std::uint32_t groups = 0;
+  for (const std::uint32_t g : group)
+    if (g != BoxTree::no_group) groups = std::max(groups, g + 1);
+  std::vector<Box> of_group(groups);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    all.add(boxes[i]);
+    if (group[i] != BoxTree::no_group) of_group[group[i]].add(boxes[i]);
+  }
+  const HilbertCurve curve(all);
+  std::vector<std::uint64_t> keys(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Box& box = group[i] != BoxTree::no_group ? of_group[group[i]] : boxes[i];
+    keys[i] = std::uint64_t(curve(box)) << 32 | group[i];
+  }
+  std::stable_sort(items.begin(), items.end(),
+                   [&](std::uint32_t i, std::uint32_t j) { return keys[i] < keys[j]; });
+}
+
 }  // namespace
 
 BoxTree::BoxTree(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& group,
                  bool along_curve) {
   if (boxes.empty()) return;
   items_ = along_curve ? as_given(boxes.size()) : sorted_along_curve(boxes);
+  if (!group.empty() && !along_curve) put_groups_together(items_, boxes, group);
   item_boxes_.resize(boxes.size());
   std::vector<Box> leaves((boxes.size() + leaf_size - 1) / leaf_size);
   for_range(leaves.size(), [&](std::size_t from, std::size_t to) {

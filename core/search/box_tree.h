@@ -17,7 +17,8 @@ class BoxTree {
 
   BoxTree() = default;
   /// Takes the boxes of items 0 … boxes.size() - 1. If not empty, `group` puts each item into a
-  /// group (or none). Items that are `along_curve` stay in the order in which they are.
+  /// group (or none), and groups stay together. Items that are `along_curve` stay in the order in
+  /// which they are.
   explicit BoxTree(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& group = {},
                    bool along_curve = false);
   static constexpr std::uint32_t no_group = 0xFFFFFFFFu;
@@ -80,7 +81,8 @@ class BoxTree {
   /// Divides the pairs into parts that can be visited side by side: `least` of them, if there are
   /// as many nodes.
   std::vector<SelfPart> self_parts(std::size_t least) const;
-  /// Calls visit(item, other item) once for every pair of overlapping boxes in a part.
+  /// Calls visit(item, other item) once for every pair of overlapping boxes in a part, but not for
+  /// two of one group.
   template <class Visit>
   void self_overlaps(const SelfPart& part, Visit&& visit) const {
     self_overlaps(part, visit, NothingApart());
@@ -116,6 +118,10 @@ class BoxTree {
   template <class IsApart>
   NearItems near_items(Node leaf, const Box& box, const IsApart& is_apart) const;
   void build_groups(const std::vector<std::uint32_t>& group);
+  bool are_of_one_group(std::uint32_t i, std::uint32_t j) const {
+    return !item_groups_.empty() && item_groups_[i] != no_group &&
+           item_groups_[i] == item_groups_[j];
+  }
 
   template <class Meets, class Visit>
   void query(Node n, const Meets& meets, Visit& visit) const {
@@ -143,9 +149,10 @@ void BoxTree::self_overlaps(const SelfPart& part, Visit&& visit, const Apart& ap
   const auto [p, q] = std::pair(part.p, part.q);
   if (p.level != q.level || p.index != q.index) {
     overlaps(
-        *this, p, *this, q, visit, [](std::uint32_t, std::uint32_t) { return false; }, apart);
+        *this, p, *this, q, visit, [](std::uint32_t g, std::uint32_t h) { return g == h; }, apart);
     return;
   }
+  if (!group_levels_.empty() && group_levels_[p.level][p.index] != no_group) return;
   if (p.level > 0) {
     const Node first = child(p, 0);
     self_overlaps(SelfPart(first, first), visit, apart);
@@ -158,7 +165,8 @@ void BoxTree::self_overlaps(const SelfPart& part, Visit&& visit, const Apart& ap
   const auto [from, to] = range(p.index);
   for (std::uint32_t i = from; i < to; ++i)
     for (std::uint32_t j = i + 1; j < to; ++j)
-      if (item_boxes_[i].overlaps(item_boxes_[j])) visit(items_[i], items_[j]);
+      if (item_boxes_[i].overlaps(item_boxes_[j]) && !are_of_one_group(i, j))
+        visit(items_[i], items_[j]);
 }
 
 template <class Visit, class Skip, class Apart>

@@ -8,18 +8,26 @@
 
 #include "parallel/parallel.h"
 #include "parallel/scratch.h"
+#include "search/hub_fans.h"
 #include "sectile/errors.h"
 #include "selftest/flat_block.h"
 #include "selftest/flat_patches.h"
 #include "selftest/node_labels.h"
 #include "selftest/patch_pairs.h"
 #include "selftest/slanted_nodes.h"
-#include "selftest/triangle_hubs.h"
 #include "selftest/triangle_pair.h"
 #include "selftest/triangle_tree.h"
 
 namespace sectile {
 namespace {
+
+struct CornersOf {
+  const TriangleSurface& surface;
+  template <class Visit>
+  void operator()(std::uint32_t triangle, const Visit& visit) const {
+    for (const PointId p : surface.corners[triangle]) visit(p);
+  }
+};
 
 // The work is divided by the nodes of one level: each meets itself and those that come after it.
 class Traversal {
@@ -33,8 +41,9 @@ class Traversal {
         blocks_(surface, tree_, kernel),
         slanted_(surface, kernel.geometry(), tree_),
         faces_(tree_, labels_of_faces()),
-        hubs_(surface, kernel.geometry(), tree_.order()),
-        fans_(tree_, hubs_.of_triangle()),
+        geometry_(kernel.geometry()),
+        hubs_(tree_.order(), surface.size(), geometry_.positions.size(), CornersOf{surface_}),
+        fans_(tree_, hubs_.of_polygon()),
         settled_(tree_, labels_of_settled()),
         pairs_(surface, kernel) {}
 
@@ -55,7 +64,8 @@ class Traversal {
     parallel::loop(0, hubs_.count(), [&](std::size_t hub) {
       check_cancelled();
       found_.lend([&](Found& found) {
-        hubs_.for_each_pair(hub, [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); });
+        hubs_.for_each_pair(hub, geometry_, CornersOf{surface_},
+                            [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); });
       });
       note_step(steps);
     });
@@ -204,7 +214,8 @@ class Traversal {
   FlatBlocks blocks_;
   SlantedNodes slanted_;
   NodeLabels faces_;
-  TriangleHubs hubs_;
+  const Geometry& geometry_;
+  HubFans hubs_;
   NodeLabels fans_, settled_;
   TrianglePairs pairs_;
   parallel::Scratch<Found> found_;

@@ -1,6 +1,9 @@
 // Booleans in which very many things meet in one place.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "boolean/boolean.h"
 #include "growth/steps.h"
 #include "sectile/boolean.h"
@@ -24,6 +27,83 @@ TEST(Growth, ConesThatShareAnApexHalfAStepTurned) {
                 },
                 500),
             n_log_n);
+}
+
+void add(const std::initializer_list<std::uint32_t>& face, PolygonMesh& mesh) {
+  mesh.face_sizes.push_back(static_cast<std::uint32_t>(face.size()));
+  mesh.indices.insert(mesh.indices.end(), face);
+}
+
+// n tetrahedra that touch each other in one corner, away from which they point to all sides.
+Solid bouquet(std::size_t n) {
+  PolygonMesh mesh;
+  const double count = static_cast<double>(n), width = 0.7 / std::sqrt(count);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double z = 1 - (2 * static_cast<double>(i) + 1) / count, r = std::sqrt(1 - z * z),
+                 a = 2.4 * static_cast<double>(i);
+    const Vec3 u{-std::sin(a), std::cos(a), 0}, v{-z * std::cos(a), -z * std::sin(a), r};
+    const auto o = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.push_back({0, 0, 0});
+    for (int k = 0; k < 3; ++k) {
+      const double t = 2 * std::numbers::pi * k / 3, c = width * std::cos(t),
+                   s = width * std::sin(t);
+      mesh.positions.push_back({r * std::cos(a) + c * u.x + s * v.x,
+                                r * std::sin(a) + c * u.y + s * v.y, z + c * u.z + s * v.z});
+    }
+    add({o, o + 2, o + 1}, mesh);
+    add({o, o + 3, o + 2}, mesh);
+    add({o, o + 1, o + 3}, mesh);
+    add({o + 1, o + 2, o + 3}, mesh);
+  }
+  return Solid::from_mesh(mesh);
+}
+
+TEST(Growth, BouquetsThatShareTheirCorner) {
+  EXPECT_LT(growth(
+                [](std::size_t n) {
+                  const Solid a = bouquet(n),
+                              b = transformed(a, Transform::rotation_degrees({0, 0, 1}, 0.5));
+                  return [a, b] { boolean(a, b, Operation::unite); };
+                },
+                100),
+            n_log_n);
+}
+
+TEST(Growth, ImportOfABouquet) {
+  EXPECT_LT(growth([](std::size_t n) { return [n] { bouquet(n); }; }, 250), n_log_n);
+}
+
+// n wedges around one edge.
+Solid book(std::size_t n) {
+  PolygonMesh mesh;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double step = 2 * std::numbers::pi / static_cast<double>(n),
+                 a = step * static_cast<double>(i), b = a + step / 2;
+    const auto o = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const double z : {0.0, 1.0}) {
+      mesh.positions.push_back({0, 0, z});
+      mesh.positions.push_back({std::cos(a), std::sin(a), z});
+      mesh.positions.push_back({std::cos(b), std::sin(b), z});
+    }
+    add({o, o + 2, o + 1}, mesh);
+    add({o + 3, o + 4, o + 5}, mesh);
+    add({o, o + 1, o + 4, o + 3}, mesh);
+    add({o + 1, o + 2, o + 5, o + 4}, mesh);
+    add({o + 2, o, o + 3, o + 5}, mesh);
+  }
+  return Solid::from_mesh(mesh);
+}
+
+// Each two walls at the edge are looked at once: no way around that is known.
+TEST(Growth, BooksAlongTheirCommonEdge) {
+  constexpr double n_squared = 2.1;
+  EXPECT_LT(growth(
+                [](std::size_t n) {
+                  const Solid a = book(n), b = transformed(a, Transform::translation({0, 0, 0.5}));
+                  return [a, b] { boolean(a, b, Operation::unite); };
+                },
+                60),
+            n_squared);
 }
 
 }  // namespace

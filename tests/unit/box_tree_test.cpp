@@ -133,6 +133,24 @@ TEST(BoxTree, SkipsExactlyThePairsOfUnwantedGroups) {
     }
 }
 
+TEST(BoxTree, FindsItsOwnPairsButThoseWithinOneGroup) {
+  Boxes boxes(7);
+  for (const int kinds : {1, 3, 40})
+    for (const std::size_t count : {1u, 4u, 5u, 130u, 500u}) {
+      const std::vector<Box> a = boxes.make(count, 12, 5);
+      const auto group = boxes.groups(count, kinds);
+      const BoxTree tree(a, group);
+      Pairs found;
+      for (const auto& part : tree.self_parts(16))
+        tree.self_overlaps(part, [&](std::uint32_t i, std::uint32_t j) {
+          found.emplace_back(std::min(i, j), std::max(i, j));
+        });
+      EXPECT_EQ(sorted(found), found_by_comparison(a, a, [&](std::uint32_t i, std::uint32_t j) {
+                  return i >= j || (group[i] != BoxTree::no_group && group[i] == group[j]);
+                }));
+    }
+}
+
 TEST(BoxTree, BoxesOfDoublesAreRoundedOutwardsToTheNextFloat) {
   constexpr double end = std::numeric_limits<double>::infinity();
   constexpr double largest = std::numeric_limits<float>::max();

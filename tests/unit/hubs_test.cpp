@@ -1,6 +1,11 @@
 // Points in which very many faces meet.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <random>
+#include <set>
+#include <vector>
+
 #include "sectile/sectile.h"
 
 namespace sectile {
@@ -52,6 +57,121 @@ TEST(Hubs, ResultsWithSeveralVerticesInOneHubAreOperandsAgain) {
   expect_exact(twice, twice, twice.volume());
   const Solid crossed = turned_about_apex(90);
   expect_exact(twice, crossed, boolean(twice, crossed, Operation::intersect).volume());
+}
+
+// A bouquet: tetrahedra between the origin and triangles on the surface of a cube around it. No two
+// have a face in common, but many an edge.
+using Triangle = std::array<Vec3, 3>;
+
+std::vector<Triangle> surface_of_cube(int half, bool other_diagonal) {
+  std::vector<Triangle> triangles;
+  const auto place = [half](int axis, int side, int u, int v) {
+    const int w = side * half;
+    // Both sides counter-clockwise, seen from outside.
+    const int a = side > 0 ? u : v, b = side > 0 ? v : u;
+    const double at[3] = {double(w), double(a), double(b)};
+    return Vec3{at[(3 - axis) % 3], at[(4 - axis) % 3], at[(5 - axis) % 3]};
+  };
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int side : {-1, 1})
+      for (int u = -half; u < half; ++u)
+        for (int v = -half; v < half; ++v) {
+          const Vec3 p = place(axis, side, u, v), q = place(axis, side, u + 1, v),
+                     r = place(axis, side, u + 1, v + 1), s = place(axis, side, u, v + 1);
+          if (other_diagonal) {
+            triangles.push_back({p, q, s});
+            triangles.push_back({q, r, s});
+          } else {
+            triangles.push_back({p, q, r});
+            triangles.push_back({p, r, s});
+          }
+        }
+  return triangles;
+}
+
+std::vector<Triangle> some_without_common_edges(std::vector<Triangle> triangles, std::size_t count,
+                                                std::mt19937& random) {
+  std::shuffle(triangles.begin(), triangles.end(), random);
+  const auto key = [](const Vec3& p) { return std::array{p.x, p.y, p.z}; };
+  std::set<std::set<std::array<double, 3>>> edges;
+  std::vector<Triangle> some;
+  for (const Triangle& t : triangles) {
+    std::array<std::set<std::array<double, 3>>, 3> own;
+    for (std::size_t k = 0; k < 3; ++k) own[k] = {key(t[k]), key(t[(k + 1) % 3])};
+    if (edges.contains(own[0]) || edges.contains(own[1]) || edges.contains(own[2])) continue;
+    edges.insert(own.begin(), own.end());
+    some.push_back(t);
+    if (some.size() == count) break;
+  }
+  return some;
+}
+
+PolygonMesh bouquet(std::span<const Triangle> triangles) {
+  PolygonMesh mesh;
+  for (const Triangle& t : triangles) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.push_back({0, 0, 0});
+    mesh.positions.insert(mesh.positions.end(), t.begin(), t.end());
+    for (const std::uint32_t k : {1u, 2u, 3u, 0u, 2u, 1u, 0u, 3u, 2u, 0u, 1u, 3u})
+      mesh.indices.push_back(first + k);
+    mesh.face_sizes.insert(mesh.face_sizes.end(), 4, 3);
+  }
+  return mesh;
+}
+
+std::vector<Solid> single(std::span<const Triangle> triangles) {
+  std::vector<Solid> solids;
+  for (const Triangle& t : triangles) solids.push_back(Solid::from_mesh(bouquet({&t, 1})));
+  return solids;
+}
+
+// What the two have in common and what is left, tetrahedron by tetrahedron.
+TEST(Hubs, BouquetsAreWhatTheirTetrahedraAre) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    std::mt19937 random(seed);
+    const auto of_a = some_without_common_edges(surface_of_cube(2, false), 30, random),
+               of_b = some_without_common_edges(surface_of_cube(3, seed % 2 == 0), 40, random);
+    const Solid a = Solid::from_mesh(bouquet(of_a)), b = Solid::from_mesh(bouquet(of_b));
+    const std::vector<Solid> each_a = single(of_a), each_b = single(of_b);
+    std::vector<Solid> common, rest;
+    for (const Solid& s : each_a) {
+      for (const Solid& t : each_b) common.push_back(boolean(s, t, Operation::intersect));
+      rest.push_back(subtract(s, each_b));
+    }
+    EXPECT_TRUE(boolean(a, b, Operation::intersect) == unite(common)) << "seed " << seed;
+    EXPECT_TRUE(boolean(a, b, Operation::subtract) == unite(rest)) << "seed " << seed;
+    std::vector<Solid> all = each_a;
+    all.insert(all.end(), each_b.begin(), each_b.end());
+    EXPECT_TRUE(boolean(a, b, Operation::unite) == unite(all)) << "seed " << seed;
+    const std::vector<Solid> both{a, b};
+    for (const SolidCell& cell : cells(both))
+      EXPECT_TRUE(cell.solid == (cell.operands.size() == 2 ? unite(common)
+                                 : cell.operands[0] == 0   ? unite(rest)
+                                                           : boolean(b, a, Operation::subtract)))
+          << "seed " << seed;
+  }
+}
+
+// Edges of another bouquet, or of several, pass through the one corner where all the others meet.
+TEST(Hubs, BouquetsThatEdgesPassThrough) {
+  for (const unsigned seed : {1u, 35u, 89u, 130u}) {
+    std::mt19937 random(seed);
+    std::vector<Solid> parts;
+    for (const Vec3& at : {Vec3{0, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, -1}}) {
+      const auto some = some_without_common_edges(surface_of_cube(2, false), 30, random);
+      parts.push_back(transformed(Solid::from_mesh(bouquet(some)), Transform::translation(at)));
+    }
+    const Solid a = boolean(parts[0], parts[1], Operation::unite),
+                b = unite(std::vector<Solid>{parts[0], parts[2], parts[3]});
+    const Solid of_parts =
+        unite(std::vector<Solid>{parts[0], boolean(parts[1], parts[2], Operation::intersect),
+                                 boolean(parts[1], parts[3], Operation::intersect)});
+    EXPECT_TRUE(boolean(a, b, Operation::intersect) == of_parts) << "seed " << seed;
+    EXPECT_TRUE(boolean(a, b, Operation::unite) == unite(parts)) << "seed " << seed;
+    EXPECT_TRUE(boolean(a, b, Operation::subtract) ==
+                subtract(parts[1], std::vector<Solid>{parts[0], parts[2], parts[3]}))
+        << "seed " << seed;
+  }
 }
 
 }  // namespace

@@ -197,19 +197,23 @@ class CrossingFaces {
   using EdgeOnLine = Scratch::EdgeOnLine;
 
   void gather(Operand s) {
-    const Brep& brep = w_.patch[s].brep;
+    const Patch& patch = w_.patch[s];
     for (const SidedHalfEdge& i : table_.meeting(pair_, s)) {
       if (i.from == Sign::zero && i.to == Sign::zero) scratch_.edges_on_line.push_back({s, i.h});
-      const Entity piercer =
-          i.from == Sign::zero ? Entity(brep.from(i.h)) : Entity(Brep::edge_of(i.h));
-      add(s, table_.find(s, piercer, pair_.face[other(s)]), i.h);
+      if (i.from == Sign::zero) {
+        const VertexId v = patch.brep.from(i.h);
+        add(s, v, table_.find(s, patch.tested_for(v), pair_.face[other(s)]), i.h);
+      } else {
+        const EdgeId e = Brep::edge_of(i.h);
+        add(s, e, table_.find(s, e, pair_.face[other(s)]), i.h);
+      }
     }
   }
 
-  void add(Operand s, std::span<const Hit> hits, HalfEdgeId h) {
+  void add(Operand s, Entity piercer, std::span<const Hit> hits, HalfEdgeId h) {
     if (hits.empty()) return;
     const PlaceId place = found_.contacts[hits[0].contact].place;
-    scratch_.items.push_back({place, s, {hits[0].piercer, h}});
+    scratch_.items.push_back({place, s, {piercer, h}});
     scratch_.bounds.clear();
     for (const Hit& hit : hits)
       add_items(w_.patch[other(s)], pair_.face[other(s)], hit.found, scratch_.bounds);
@@ -373,7 +377,7 @@ class EdgeInPlane {
   }
 
   void add_end(const InPlane& pair, VertexId v) {
-    const std::span<const Hit> hits = table_.find(s_, v, pair.face);
+    const std::span<const Hit> hits = table_.find(s_, w_.patch[s_].tested_for(v), pair.face);
     if (hits.empty()) return;
     begin_node(found_.contacts[hits[0].contact].place, v);
     for (const Hit& hit : hits) add(places_[used_ - 1], pair.face, hit.found);

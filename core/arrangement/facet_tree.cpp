@@ -1,0 +1,39 @@
+#include "arrangement/facet_tree.h"
+
+#include <numeric>
+
+#include "parallel/parallel.h"
+
+namespace sectile::arrangement {
+namespace {
+
+HubFans fans_of(const Facets& facets, const Geometry& geometry) {
+  std::vector<std::uint32_t> all(facets.face_count());
+  std::iota(all.begin(), all.end(), 0u);
+  return HubFans(
+      all, all.size(), geometry.positions.size(),
+      [&](std::uint32_t f, const auto& visit) { for_each_outer_corner(facets, f, visit); });
+}
+
+std::vector<Box> boxes_of(const Facets& facets, const Geometry& geometry) {
+  std::vector<Box> boxes(facets.face_count());
+  parallel::loop(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
+    for (std::size_t f = range.begin(); f < range.end(); ++f) {
+      Bounds bounds;
+      for_each_outer_corner(facets, static_cast<std::uint32_t>(f),
+                            [&](PointId p) { bounds.add(geometry.position(p)); });
+      boxes[f] = bounds.box();
+    }
+  });
+  return boxes;
+}
+
+}  // namespace
+
+FacetTree::FacetTree(const Facets& facets, const Geometry& geometry)
+    : FacetTree(facets, geometry, fans_of(facets, geometry)) {}
+
+FacetTree::FacetTree(const Facets& facets, const Geometry& geometry, HubFans fans)
+    : BoxTree(boxes_of(facets, geometry), fans.of_polygon()), fans_(std::move(fans)) {}
+
+}  // namespace sectile::arrangement

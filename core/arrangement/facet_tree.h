@@ -1,0 +1,28 @@
+// A tree over the boxes of faces; those around one corner stay together in it.
+#pragma once
+
+#include "arrangement/facets.h"
+#include "search/hub_fans.h"
+
+namespace sectile::arrangement {
+
+/// Calls visit(PointId) for the corners of a face's outer loop.
+template <class Visit>
+void for_each_outer_corner(const Facets& facets, std::uint32_t face, const Visit& visit) {
+  for (const PointId p : facets.polygons.loop(facets.polygons.first_loop(face))) visit(p);
+}
+
+class FacetTree : public BoxTree {
+ public:
+  FacetTree(const Facets& facets, const Geometry& geometry);
+
+  /// Of the faces: the groups of the tree.
+  const HubFans& fans() const { return fans_; }
+
+ private:
+  FacetTree(const Facets& facets, const Geometry& geometry, HubFans fans);
+
+  HubFans fans_;
+};
+
+}  // namespace sectile::arrangement
