@@ -136,6 +136,18 @@ Solid plate_with_pegs(std::size_t n) {
   return boolean(block({-1, -1, 0}, {end, end, 1}), Solid::from_mesh(pegs), Operation::unite);
 }
 
+PolygonMesh in_triangles(const PolygonMesh& convex) {
+  PolygonMesh triangles;
+  triangles.positions = convex.positions;
+  for (std::size_t first = 0, f = 0; f < convex.face_sizes.size(); first += convex.face_sizes[f++])
+    for (std::size_t k = first + 1; k + 1 < first + convex.face_sizes[f]; ++k) {
+      triangles.face_sizes.push_back(3);
+      for (const std::size_t corner : {first, k, k + 1})
+        triangles.indices.push_back(convex.indices[corner]);
+    }
+  return triangles;
+}
+
 double import_growth(PolygonMesh (*make)(std::size_t), std::size_t n) {
   return growth([&](std::size_t size) { return [mesh = make(size)] { Solid::from_mesh(mesh); }; },
                 n);
@@ -143,6 +155,12 @@ double import_growth(PolygonMesh (*make)(std::size_t), std::size_t n) {
 
 TEST(Growth, ImportOfCubesInARow) {
   EXPECT_LT(import_growth([](std::size_t n) { return cubes_in_a_row(n); }, 200), n_log_n);
+}
+
+// More than a few thousand triangles, which go straight into blocks, shell by shell.
+TEST(Growth, ImportOfTrianglesOfCubesInARow) {
+  EXPECT_LT(import_growth([](std::size_t n) { return in_triangles(cubes_in_a_row(n)); }, 400),
+            n_log_n);
 }
 
 TEST(Growth, ImportOfABlockWithCavities) {
@@ -301,6 +319,26 @@ TEST(Growth, WritingASphereWithADent) {
   Rounding whole;
   whole.separate_touching = true;  // everything is looked at for that
   EXPECT_LT(per_face({}), per_face(whole) / 4);
+}
+
+// Only the shells that were cut are tested again.
+TEST(Growth, WritingManyBlocksOfWhichHalfAreCut) {
+  EXPECT_LT(growth(
+                [](std::size_t n) {
+                  const auto side = static_cast<int>(std::sqrt(static_cast<double>(n)));
+                  PolygonMesh blocks;
+                  for (int i = 0; i < side; ++i)
+                    for (int j = 0; j < side; ++j)
+                      add_block(blocks, {i + 0.1, j + 0.1, 0}, {i + 0.9, j + 0.9, 1});
+                  const Solid half =
+                      transformed(block({-1, -1, -1}, {side / 2 + 0.3, side + 1.0, 2}),
+                                  Transform::rotation_degrees({0, 0, 1}, 10));
+                  const Solid rest =
+                      boolean(Solid::from_mesh(in_triangles(blocks)), half, Operation::subtract);
+                  return [rest] { rounded_mesh(rest); };
+                },
+                400),
+            n_log_n);
 }
 
 TEST(Growth, OfAConeOnItsBase) {

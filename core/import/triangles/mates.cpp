@@ -37,11 +37,16 @@ class OpenLines {
     std::uint32_t corner = none;
   };
 
-  // Lines that are near in the mesh are near in the table, and those through one point apart.
+  // Lines that are near in the mesh are near in the table, and those through one point apart. Where
+  // the table is crowded, as it is when lines of some parts of the mesh only are open, they go
+  // anywhere.
   Slot& slot_of(std::uint32_t corner) {
+    constexpr std::size_t near = 8;
     const auto [low, high] = std::minmax({mesh_.from(corner).value(), mesh_.to(corner).value()});
     const std::uint64_t line = std::uint64_t(low) << 32 | high;
-    for (std::size_t i = std::size_t(low) + 3 * std::size_t(high);; ++i) {
+    const auto far = static_cast<std::size_t>(line * 0x9E3779B97F4A7C15u >> 32 | 1);
+    std::size_t i = std::size_t(low) + 3 * std::size_t(high);
+    for (std::size_t seen = 1;; i += seen++ < near ? 1 : far) {
       Slot& slot = slots_[i & (slots_.size() - 1)];
       std::uint64_t known = no_line;
       if (std::atomic_ref(slot.line).compare_exchange_strong(known, line,
