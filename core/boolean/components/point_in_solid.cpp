@@ -34,6 +34,9 @@ class RayTest {
   PointId point_;
 };
 
+// So many are looked at in no more time than their oriented boxes take.
+constexpr std::size_t few_blocks = 8;
+
 }  // namespace
 
 bool is_inside(Workspace& w, Operand operand, PointId point) {
@@ -46,7 +49,13 @@ bool is_inside(Workspace& w, Operand operand, PointId point) {
            p.z <= b.high[2];
   };
   if (solid.slot_tree().empty() || !solid.slot_tree().bounds().contains(p)) return false;
-  std::vector<FaceId> faces = faces_where(solid, meets);
+  // Boxes of what is long and slanted overlap very many rays.
+  std::size_t blocks = 0;
+  const OrientedBox ray_box(box_around(p, {solid.slot_tree().bounds().high[0], p.y, p.z}));
+  const auto is_apart = [&](const Block& block) {
+    return ++blocks > few_blocks && apart(block.oriented_bounds(), ray_box);
+  };
+  const std::vector<FaceId> faces = faces_where(solid, meets, is_apart);
   const Patch hit = load_patch(*patch.solid, faces, w.geometry);
   w.kernel->refresh();
   const RayTest ray(w.tests(), hit.brep, point);
