@@ -235,7 +235,7 @@ class CellFinder {
       Component& component = components_[i];
       const std::uint32_t f = patch_face_[component.patches[0]];
       const auto [p, q, r] = triangle(f);
-      const ExactPoint centre = exact_centre(kernel_, p, q, r);
+      const RayStart centre(exact_centre(kernel_, p, q, r));
       component.hits = ray_.hits(centre);
       const bool before = ray_.side(centre, faces_.plane[f]) == Sign::positive;
       component.base = cell_of_[2 * patch_of_[f] + (before ? 0 : 1)];

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/axes.h"
 #include "geometry/x_ray.h"
 
 namespace sectile::arrangement {
@@ -19,15 +20,26 @@ void add(Winding& winding, const Winding& step, int sign, Counting counting) {
   }
 }
 
-Sign WindingRay::side(const ExactPoint& point, PlaneId plane) const {
-  if (const Sign s = value_at(kernel_.exact(plane), point).sign(); s != Sign::zero) return s;
+RayStart::RayStart(ExactPoint exact)
+    : point(std::move(exact)),
+      rounded{nearest_quotient(point.x[0], point.w), nearest_quotient(point.x[1], point.w),
+              nearest_quotient(point.x[2], point.w)} {}
+
+Sign WindingRay::side(const RayStart& start, PlaneId plane) const {
+  if (const Estimate e = kernel_.estimate(start.rounded, plane); e.decided()) return e.sign();
+  if (const Sign s = value_at(kernel_.exact(plane), start.point).sign(); s != Sign::zero) return s;
   if (const Sign z = kernel_.normal(plane, 2); z != Sign::zero) return -z;
   if (const Sign y = kernel_.normal(plane, 1); y != Sign::zero) return y;
   return kernel_.normal(plane, 0);
 }
 
-bool WindingRay::meets(const ExactPoint& point, std::uint32_t face) const {
+bool WindingRay::meets(const RayStart& start, std::uint32_t face) const {
+  const ExactPoint& point = start.point;
+  const Geometry& geometry = kernel_.geometry();
   const auto above = [&](PointId p) {
+    // Rounding to nearest is monotonic.
+    const double y = geometry.position(p).y;
+    if (y != start.rounded.y) return y > start.rounded.y;
     const ExactPoint& q = kernel_.exact(p);
     return minor(q.x[1], q.w, point.x[1], point.w).sign() * q.w.sign() == Sign::positive;
   };
@@ -35,6 +47,9 @@ bool WindingRay::meets(const ExactPoint& point, std::uint32_t face) const {
   for (std::uint32_t c = facets_.begin(face); c < facets_.end(face); ++c) {
     const PointId u = facets_.from(c), v = facets_.to(c);
     parity.add(above(u), above(v), [&] {
+      const Estimate turn = Kernel::estimated_turn(geometry.position(u), geometry.position(v),
+                                                   start.rounded, 0, false);
+      if (turn.decided()) return turn.sign();
       const ExactPoint &p = kernel_.exact(u), &q = kernel_.exact(v);
       return turn_of(p, q, point, 0).sign() * p.w.sign() * q.w.sign();
     });
@@ -42,11 +57,11 @@ bool WindingRay::meets(const ExactPoint& point, std::uint32_t face) const {
   return parity.odd();
 }
 
-std::vector<WindingRay::Hit> WindingRay::hits(const ExactPoint& point) const {
+std::vector<WindingRay::Hit> WindingRay::hits(const RayStart& start) const {
   constexpr double far = std::numeric_limits<double>::infinity();
   double low[3], high[3];
   for (int axis = 0; axis < 3; ++axis) {
-    const double at = nearest_quotient(point.x[axis], point.w);
+    const double at = component(start.rounded, axis);
     low[axis] = std::nextafter(at, -far);
     high[axis] = std::nextafter(at, far);
   }
@@ -62,7 +77,7 @@ std::vector<WindingRay::Hit> WindingRay::hits(const ExactPoint& point) const {
   for (const std::uint32_t f : faces) {
     const PlaneId plane = facets_.plane[f];
     const Sign normal = kernel_.normal(plane, 0);
-    if (normal == Sign::zero || side(point, plane) != -normal || !meets(point, f)) continue;
+    if (normal == Sign::zero || side(start, plane) != -normal || !meets(start, f)) continue;
     found.push_back({f, normal == Sign::positive ? 1 : -1});
   }
   return found;

@@ -23,6 +23,13 @@ enum class Counting {
 /// winding += sign · step, for a sign of 1 or -1.
 void add(Winding& winding, const Winding& step, int sign, Counting counting);
 
+/// Where a ray starts; the weight of the point is positive.
+struct RayStart {
+  explicit RayStart(ExactPoint point);
+  ExactPoint point;
+  Vec3 rounded;  ///< to nearest
+};
+
 /// Counts the faces that a ray meets.
 class WindingRay {
  public:
@@ -35,14 +42,14 @@ class WindingRay {
   };
   /// The faces that a ray in direction +x meets, with the winding number that they add around its
   /// start. It starts beside the point, at an infinitesimal distance: (ζ, ε, -δ) with δ far greater
-  /// than ε and ε than ζ, so that it meets no edge. The point's w is positive.
-  std::vector<Hit> hits(const ExactPoint& point) const;
+  /// than ε and ε than ζ, so that it meets no edge.
+  std::vector<Hit> hits(const RayStart& start) const;
 
   /// The side of a plane on which the start of that ray lies.
-  Sign side(const ExactPoint& point, PlaneId plane) const;
+  Sign side(const RayStart& start, PlaneId plane) const;
 
  private:
-  bool meets(const ExactPoint& point, std::uint32_t face) const;
+  bool meets(const RayStart& start, std::uint32_t face) const;
 
   const Facets& facets_;
   const BoxTree& tree_;

@@ -149,9 +149,8 @@ ConstructedPoint Kernel::construct(const Construction& how) const {
   return {position, equals(point, position)};
 }
 
-Estimate Kernel::estimate(PointId point, PlaneId plane) const {
+Estimate Kernel::estimate(const Vec3& p, PlaneId plane) const {
   const PlaneValue& s = value(plane);
-  const Vec3& p = geometry_.position(point);
   const double x = s.n[0] * p.x, y = s.n[1] * p.y, z = s.n[2] * p.z;
   // An implicit point's position is off by half an ulp at most: one more rounding each. Near zero
   // that is half the least double, whatever the normal makes of it.
@@ -368,22 +367,26 @@ bool Kernel::same_point(PointId p, PointId q) const {
          side(q, how.c) == Sign::zero;
 }
 
-Sign Kernel::turn(PointId p, PointId q, PointId r, int axis) const {
+Estimate Kernel::estimated_turn(const Vec3& a, const Vec3& b, const Vec3& c, int axis, bool exact) {
   const int i = next_axis(axis), j = next_next_axis(axis);
-  const Vec3 &a = geometry_.position(p), &b = geometry_.position(q), &c = geometry_.position(r);
   const double ai = component(a, i), aj = component(a, j), bi = component(b, i),
                bj = component(b, j), ci = component(c, i), cj = component(c, j);
   const double left = (bi - ai) * (cj - aj), right = (bj - aj) * (ci - ai);
-  const bool all_explicit =
-      geometry_.is_explicit(p) && geometry_.is_explicit(q) && geometry_.is_explicit(r);
   double error = 8 * unit * (std::abs(left) + std::abs(right)) + 8 * underflow;
-  if (!all_explicit) {
+  if (!exact) {
     const double hi = 4 * unit * (std::abs(ai) + std::abs(bi) + std::abs(ci)) + 4 * underflow;
     const double hj = 4 * unit * (std::abs(aj) + std::abs(bj) + std::abs(cj)) + 4 * underflow;
     error += 2 * (hi * (std::abs(cj - aj) + std::abs(bj - aj) + hj) +
                   hj * (std::abs(bi - ai) + std::abs(ci - ai) + hi));
   }
-  const Estimate verdict{left - right, error};
+  return {left - right, error};
+}
+
+Sign Kernel::turn(PointId p, PointId q, PointId r, int axis) const {
+  const Vec3 &a = geometry_.position(p), &b = geometry_.position(q), &c = geometry_.position(r);
+  const bool all_explicit =
+      geometry_.is_explicit(p) && geometry_.is_explicit(q) && geometry_.is_explicit(r);
+  const Estimate verdict = estimated_turn(a, b, c, axis, all_explicit);
   if (verdict.decided()) return verdict.sign();
   if (all_explicit) {
     const Bounded near = turn_of<Bounded>(a, b, c, axis);

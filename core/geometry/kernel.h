@@ -54,7 +54,13 @@ class Kernel {
   /// Positive: the point lies on the side to which the normal points.
   Sign side(PointId point, PlaneId plane) const;
   /// The value of the plane's equation at a point, in doubles.
-  Estimate estimate(PointId point, PlaneId plane) const;
+  Estimate estimate(PointId point, PlaneId plane) const {
+    return estimate(geometry_.position(point), plane);
+  }
+  /// The same for a point that is known up to half an ulp in each coordinate.
+  Estimate estimate(const Vec3& rounded, PlaneId plane) const;
+  /// See turn(), for points that are `exact` or known up to half an ulp in each coordinate.
+  static Estimate estimated_turn(const Vec3& p, const Vec3& q, const Vec3& r, int axis, bool exact);
   /// The sign of the determinant of three normals.
   Sign det(PlaneId a, PlaneId b, PlaneId c) const;
   /// The sign of one component of normal(a) × normal(b).
