@@ -131,11 +131,12 @@ void Separation::divide_pinched_edges() {
       return rounded_.corners[t][e.k] == e.low && rounded_.corners[t][next(e.k)] == e.high;
     };
     std::uint32_t t = e.triangle;
-    for (std::size_t i = 0; !has_edge(t); ++i)
-      if (i == cut_off_.size())
-        throw InternalError("an edge that is to be divided is lost");
-      else if (cut_off_[i].first == e.triangle)
-        t = cut_off_[i].second;
+    if (!has_edge(t)) {
+      const std::vector<std::uint32_t>& pieces = cut_off_[t];
+      const auto at = std::find_if(pieces.begin(), pieces.end(), has_edge);
+      if (at == pieces.end()) throw InternalError("an edge that is to be divided is lost");
+      t = *at;
+    }
     divide(t, e.k);
   }
 }
@@ -163,10 +164,10 @@ void Separation::divide_half(std::uint32_t t, std::size_t k, std::uint32_t middl
   TriangleSurface& surface = rounded_.surface;
   const auto added = static_cast<std::uint32_t>(surface.size());
   const std::size_t to = next(k), apex = next(to);
-  std::uint32_t whole = t;
-  for (const auto& [from, piece] : cut_off_)
-    if (piece == t) whole = from;
-  cut_off_.push_back({whole, added});
+  const auto known = whole_.find(t);
+  const std::uint32_t whole = known == whole_.end() ? t : known->second;
+  whole_[added] = whole;
+  cut_off_[whole].push_back(added);
   rounded_.corners.push_back(rounded_.corners[t]);
   rounded_.source.push_back(rounded_.source[t]);
   rounded_.alive.push_back(1);

@@ -54,9 +54,9 @@ class Separation {
   const RoundingGrid& grid_;
   std::vector<std::uint32_t> fan_;      // per corner of a triangle: the least one around the vertex
   std::vector<std::uint32_t> middles_;  // of divided edges, ascending
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>
-      cut_off_;                          // triangles, with what was cut off
-  std::map<Place, std::uint32_t> many_;  // how many vertices there are
+  std::map<std::uint32_t, std::vector<std::uint32_t>> cut_off_;  // per triangle: from it
+  std::map<std::uint32_t, std::uint32_t> whole_;  // of what was cut off: the triangle
+  std::map<Place, std::uint32_t> many_;           // how many vertices there are
   std::size_t moved_ = 0;
 };
 
