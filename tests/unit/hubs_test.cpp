@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <random>
 #include <set>
 #include <vector>
@@ -172,6 +174,50 @@ TEST(Hubs, BouquetsThatEdgesPassThrough) {
                 subtract(parts[1], std::vector<Solid>{parts[0], parts[2], parts[3]}))
         << "seed " << seed;
   }
+}
+
+// A wedge between two half-planes around the z axis, which are numbered; n half-planes are a turn.
+PolygonMesh wedge(double first, double second, double n, double low, double high) {
+  PolygonMesh mesh;
+  for (const double z : {low, high}) {
+    mesh.positions.push_back({0, 0, z});
+    for (const double i : {first, second}) {
+      const double angle = 2 * std::numbers::pi * i / n;
+      mesh.positions.push_back({std::cos(angle), std::sin(angle), z});
+    }
+  }
+  mesh.face_sizes = {3, 3, 4, 4, 4};
+  mesh.indices = {0, 2, 1, 3, 4, 5, 0, 1, 4, 3, 1, 2, 5, 4, 2, 0, 3, 5};
+  return mesh;
+}
+
+// A book: every other one of the wedges between n half-planes, beginning at one of them.
+std::vector<Solid> pages(double first, double n, double low, double high) {
+  std::vector<Solid> pages;
+  for (double i = first; i < first + n; i += 2)
+    pages.push_back(Solid::from_mesh(wedge(i, i + 1, n, low, high)));
+  return pages;
+}
+Solid book(double first, double n, double low, double high) {
+  return unite(pages(first, n, low, high));
+}
+
+TEST(Hubs, BooksAlongTheirCommonEdge) {
+  constexpr double n = 160;
+  const Solid a = book(0, n, 0, 2), b = book(0, n, 1, 3);
+  EXPECT_TRUE(boolean(a, b, Operation::unite) == book(0, n, 0, 3));
+  EXPECT_TRUE(boolean(a, b, Operation::intersect) == book(0, n, 1, 2));
+  EXPECT_TRUE(boolean(a, b, Operation::subtract) == book(0, n, 0, 1));
+}
+
+TEST(Hubs, BooksWhosePagesLieBetweenEachOther) {
+  constexpr double n = 160;
+  const Solid a = book(0, n, 0, 2), between = book(1, n, 1, 3), half = book(0.5, n, 1, 3);
+  EXPECT_TRUE(boolean(a, between, Operation::intersect).is_empty());
+  EXPECT_TRUE(boolean(a, between, Operation::subtract) == a);
+  std::vector<Solid> common;
+  for (const Solid& p : pages(0, n, 0, 2)) common.push_back(boolean(p, half, Operation::intersect));
+  EXPECT_TRUE(boolean(a, half, Operation::intersect) == unite(common));
 }
 
 }  // namespace
