@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "import/nesting.h"
+#include "import/volume_sum.h"
 #include "numbers/disjoint_sets.h"
 #include "numbers/dyadic.h"
-#include "numbers/rounding.h"
 #include "search/box.h"
 #include "sectile/errors.h"
 
@@ -29,9 +29,8 @@ namespace {
 // What is known of a shell's volume.
 struct Enclosed {
   Bounds bounds;
-  Vec3 centre;
-  double sum = 0, size = 0, terms = 0;  // six times the volume, in doubles
-  std::uint32_t face = 0;               // one of the shell's faces
+  VolumeSum sum;
+  std::uint32_t face = 0;  // one of the shell's faces
   Sign sign = Sign::zero;
 };
 
@@ -46,7 +45,6 @@ class ShellVolumes {
       v.face = static_cast<std::uint32_t>(f);
       for_each_in_face(brep_, FaceId(f), [&](HalfEdgeId h) { v.bounds.add(position(h)); });
     }
-    for (Enclosed& v : volumes_) v.centre = v.bounds.low;
     for (std::size_t f = 0; f < brep_.face_count(); ++f) add_terms(FaceId(f), of_face(f));
     find_signs();
     return std::move(volumes_);
@@ -69,29 +67,16 @@ class ShellVolumes {
   }
 
   void add_terms(FaceId f, Enclosed& v) const {
-    const Vec3 o = v.centre;
-    for_each_fan(f, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-      const double x = a.x - o.x, y = a.y - o.y, z = a.z - o.z;
-      const double p[3] = {b.x - o.x, b.y - o.y, b.z - o.z},
-                   q[3] = {c.x - o.x, c.y - o.y, c.z - o.z};
-      const double term = x * (p[1] * q[2] - p[2] * q[1]) + y * (p[2] * q[0] - p[0] * q[2]) +
-                          z * (p[0] * q[1] - p[1] * q[0]);
-      v.sum += term;
-      v.size += std::abs(term);
-      v.terms += 1;
-    });
+    for_each_fan(
+        f, [&](const Vec3& a, const Vec3& b, const Vec3& c) { v.sum.add(v.bounds.low, a, b, c); });
   }
 
   void find_signs() {
     std::vector<std::uint8_t> open(volumes_.size(), 0);
     for (std::size_t i = 0; i < volumes_.size(); ++i) {
       Enclosed& v = volumes_[i];
-      const Vec3 &low = v.bounds.low, &high = v.bounds.high;
-      const double reach = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-      const double error =
-          8 * rounding::unit * v.terms * (v.size + reach * reach * reach) + 0x1p-1000;
-      if (std::abs(v.sum) > error)
-        v.sign = sign_of(v.sum);
+      if (std::abs(v.sum.value()) > v.sum.error())
+        v.sign = sign_of(v.sum.value());
       else
         open[i] = 1;
     }
