@@ -35,7 +35,10 @@ Patch load_whole(const SolidData& solid, Geometry& geometry) {
 class PartLoader {
  public:
   PartLoader(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry)
-      : solid_(solid), to_(geometry), edges_(3 * faces.size()), loaders_(solid.slots().size()) {
+      : solid_(solid),
+        to_(geometry),
+        edges_(expected_edges(solid, faces)),
+        loaders_(solid.slots().size()) {
     for (const FaceId f : faces) load_face(f);
     close_ends();
     make_vertices();
@@ -50,10 +53,21 @@ class PartLoader {
     HalfEdgeId h;  // in the slot's block
   };
 
-  GeometryLoader& geometry(std::uint32_t slot) {
+  // As if each had the average of its block.
+  static std::size_t expected_edges(const SolidData& solid, const std::vector<FaceId>& faces) {
+    std::size_t edges = 0;
+    for (const FaceId f : faces) {
+      const Slot& slot = solid.slot(solid.slot_of(f));
+      edges += slot.half_edges / slot.faces;
+    }
+    return edges;
+  }
+
+  static constexpr std::size_t few_corners = 64;
+  GeometryLoader& geometry(std::uint32_t slot, std::size_t expected = few_corners) {
     if (!loaders_[slot])
       loaders_[slot] =
-          std::make_unique<GeometryLoader>(solid_.slot(slot).block->geometry(), to_, 64);
+          std::make_unique<GeometryLoader>(solid_.slot(slot).block->geometry(), to_, expected);
     return *loaders_[slot];
   }
 
@@ -117,8 +131,8 @@ class PartLoader {
     const Slot& from = solid_.slot(slot);
     const Brep& brep = from.block->brep();
     const FaceId there = solid_.local(slot, f);
-    const FaceId mine =
-        add_face(geometry(slot).plane(brep.plane[there], from.turned), brep.source[there]);
+    GeometryLoader& loader = geometry(slot, from.half_edges / 2);
+    const FaceId mine = add_face(loader.plane(brep.plane[there], from.turned), brep.source[there]);
     patch_.face_in_solid.push_back(f);
     LoopId last;
     for (LoopId l = brep.outer_loop[there]; l.valid(); l = brep.next_loop[l]) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "geometry/frame.h"
+#include "geometry/shared_table.h"
 #include "numbers/id.h"
 #include "numbers/table.h"
 #include "sectile/mesh.h"
@@ -100,8 +101,8 @@ class Geometry {
   Table<PlaneId, PlaneDefinition> planes;
   std::vector<PlaneCoefficients> coefficients;
   // Shared between solids; equal ones are one object as far as is known.
-  std::vector<std::shared_ptr<const Frame>> frames;
-  std::vector<std::shared_ptr<const ExactDirection>> directions;
+  SharedTable<Frame> frames;
+  SharedTable<ExactDirection> directions;
   std::vector<std::shared_ptr<const ExactCoefficients>> exact_coefficients;
 
   static constexpr std::uint32_t explicit_point = 0xFFFFFFFFu, moved_point = 0x80000000u;

@@ -7,18 +7,6 @@
 namespace sectile {
 namespace {
 
-// The place of a pointer in a short table, where it is put if it is new.
-template <class Value>
-std::uint32_t place_in(std::vector<std::shared_ptr<const Value>>& table,
-                       const std::shared_ptr<const Value>& value) {
-  const auto at = std::find(table.begin(), table.end(), value);
-  if (at == table.end()) {
-    table.push_back(value);
-    return static_cast<std::uint32_t>(table.size() - 1);
-  }
-  return static_cast<std::uint32_t>(at - table.begin());
-}
-
 // An axis that a direction has, or -1.
 int axis_along(const ExactDirection& direction) {
   int axis = -1;
@@ -94,7 +82,7 @@ void GeometryMover::move_given(const Vec3& local, const FramePointer& frame, Poi
     position = local;
   } else if (!frame->round(local, position)) {
     how = Geometry::moved_point | static_cast<std::uint32_t>(to.moved.size());
-    to.moved.push_back({local, place_in(to.frames, frame)});
+    to.moved.push_back({local, to.frames.place(frame)});
   }
 }
 
@@ -119,7 +107,7 @@ void GeometryMover::move_plane(const Geometry& from, PlaneDefinition& plane, Geo
     const int axis = axis_along(*direction);
     const PointId a(plane.a), b(plane.b);
     if (axis < 0) {
-      plane = PlaneDefinition::along_direction(a, b, place_in(to.directions, direction));
+      plane = PlaneDefinition::along_direction(a, b, to.directions.place(direction));
     } else if (direction->d[axis].exact().sign() == Sign::positive) {
       plane = PlaneDefinition::along_axis(a, b, axis);
     } else {

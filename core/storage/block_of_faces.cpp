@@ -9,7 +9,7 @@ namespace sectile {
 void BlockOfFaces::fill() {
   const std::vector<VertexId> vertices = number_vertices();
   reserve(vertices.size());
-  GeometryLoader geometry(geometry_, block_->geometry(), faces_.size());
+  GeometryLoader geometry(geometry_, block_->geometry(), expected_vertices());
   add_faces(geometry);
   add_vertices(vertices, geometry);
   add_edge_planes(geometry);
@@ -22,8 +22,8 @@ void BlockOfFaces::fill() {
 std::vector<VertexId> BlockOfFaces::number_vertices() {
   Brep& to = block_->brep();
   std::vector<VertexId> vertices;
-  vertices.reserve(faces_.size());
-  IdMap numbers(faces_.size(), brep_.vertex_count());
+  vertices.reserve(expected_vertices());
+  IdMap numbers(expected_vertices(), brep_.vertex_count());
   for_each_half_edge([&](HalfEdgeId h) {
     std::uint32_t& known = numbers[brep_.from(h).value()];
     if (known == IdMap::none) {

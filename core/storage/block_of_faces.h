@@ -1,6 +1,7 @@
 // Makes a block of some faces of a structure.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -50,6 +51,11 @@ class BlockOfFaces {
     for (const FaceId f : faces_) for_each_in_face(brep_, f, visit);
   }
   std::vector<VertexId> number_vertices();
+  /// About how many vertices there are: of triangles half as many as faces, of one face as many as
+  /// edges.
+  std::size_t expected_vertices() const {
+    return std::max(faces_.size(), block_->brep().edge_count() / 2);
+  }
   void reserve(std::size_t vertices);
   void add_faces(class GeometryLoader& geometry);
   void add_loop(LoopId loop, LoopId made);

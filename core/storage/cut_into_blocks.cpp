@@ -138,12 +138,15 @@ class Cutter {
  private:
   template <class Body>
   void for_each_group(const Body& body) const {
-    if (groups_.count() < 4) {
+    if (groups_.count() < 4 && brep_.half_edge_count() < many_half_edges) {
       for (std::size_t g = 0; g < groups_.count(); ++g) body(g);
     } else {
       parallel::loop(0, groups_.count(), body);
     }
   }
+
+  // Groups of few faces, too, may have very many corners.
+  static constexpr std::size_t many_half_edges = 4 * corners_of_a_block;
 
   std::uint32_t group_beyond(HalfEdgeId h) const {
     return groups_.of(brep_.face_of(Brep::twin(h)));

@@ -206,12 +206,12 @@ class Reader {
     for (std::uint32_t n = begin("frames"); n > 0; --n) {
       std::array<Dyadic, 12> entries;
       for (Dyadic& e : entries) e = exact();
-      g.frames.push_back(std::make_shared<const Frame>(entries));
+      g.frames.place(std::make_shared<const Frame>(entries));
     }
     for (std::uint32_t n = begin("directions"); n > 0; --n) {
       ExactDirection direction;
       for (ExactNumber& d : direction.d) d = ExactNumber(exact());
-      g.directions.push_back(std::make_shared<const ExactDirection>(std::move(direction)));
+      g.directions.place(std::make_shared<const ExactDirection>(std::move(direction)));
     }
     for (std::uint32_t n = begin("exact_coefficients"); n > 0; --n) {
       ExactCoefficients plane;

@@ -6,29 +6,25 @@
 namespace sectile {
 namespace {
 
-constexpr std::uint32_t none = 0xFFFFFFFFu;
-
-template <class Value>
-std::uint32_t shared_in(std::vector<std::shared_ptr<const Value>>& table,
-                        const std::shared_ptr<const Value>& value) {
-  const auto at = std::find(table.begin(), table.end(), value);
-  if (at != table.end()) return static_cast<std::uint32_t>(at - table.begin());
-  table.push_back(value);
-  return static_cast<std::uint32_t>(table.size() - 1);
+IdMap& made(std::optional<IdMap>& map, std::size_t expected, std::size_t ids) {
+  if (!map) map.emplace(expected, ids);
+  return *map;
 }
+
+constexpr std::size_t few_frames = 16;  // as a rule, of faces that are near each other
 
 }  // namespace
 
 std::uint32_t GeometryLoader::frame(std::uint32_t f) {
-  if (frames_.empty()) frames_.assign(from_.frames.size(), none);
-  if (frames_[f] == none) frames_[f] = shared_in(to_.frames, from_.frames[f]);
-  return frames_[f];
+  std::uint32_t& known = made(frames_, few_frames, from_.frames.size())[f];
+  if (known == IdMap::none) known = to_.frames.place(from_.frames[f]);
+  return known;
 }
 
 std::uint32_t GeometryLoader::direction(std::uint32_t d) {
-  if (directions_.empty()) directions_.assign(from_.directions.size(), none);
-  if (directions_[d] == none) directions_[d] = shared_in(to_.directions, from_.directions[d]);
-  return directions_[d];
+  std::uint32_t& known = made(directions_, few_frames, from_.directions.size())[d];
+  if (known == IdMap::none) known = to_.directions.place(from_.directions[d]);
+  return known;
 }
 
 PointId GeometryLoader::point(PointId p) {
@@ -53,11 +49,12 @@ PointId GeometryLoader::point(PointId p) {
 
 PlaneId GeometryLoader::plane(PlaneId s, bool turned) {
   if (!s.valid()) return s;
-  const std::uint32_t known = planes_[turned][s.value()];
+  IdMap& planes = made(planes_[turned], expected_, from_.planes.size());
+  const std::uint32_t known = planes[s.value()];
   if (known != IdMap::none) return PlaneId(known);
-  const PlaneId made = copy(from_.definition(s), turned);
-  planes_[turned][s.value()] = made.value();
-  return made;
+  const PlaneId copied = copy(from_.definition(s), turned);
+  planes[s.value()] = copied.value();
+  return copied;
 }
 
 namespace {
@@ -139,8 +136,8 @@ GeometryOffset append_geometry(const Geometry& from, Geometry& to, bool turned) 
   make_room(to.constructions, from.constructions);
   make_room(to.planes, from.planes);
   std::vector<std::uint32_t> frames, directions;
-  for (const auto& f : from.frames) frames.push_back(shared_in(to.frames, f));
-  for (const auto& d : from.directions) directions.push_back(shared_in(to.directions, d));
+  for (const auto& f : from.frames) frames.push_back(to.frames.place(f));
+  for (const auto& d : from.directions) directions.push_back(to.directions.place(d));
   for (const MovedPoint& p : from.moved) to.moved.push_back({p.local, frames[p.frame]});
   for (const std::uint32_t c : from.construct)
     to.construct.add(c == Geometry::explicit_point ? c

@@ -2,6 +2,8 @@
 // all.
 #pragma once
 
+#include <optional>
+
 #include "geometry/geometry.h"
 #include "search/id_map.h"
 
@@ -11,10 +13,7 @@ class GeometryLoader {
  public:
   /// `expected`: about how many points there will be.
   GeometryLoader(const Geometry& from, Geometry& to, std::size_t expected)
-      : from_(from),
-        to_(to),
-        points_(expected, from.positions.size()),
-        planes_{IdMap(expected, from.planes.size()), IdMap(expected, from.planes.size())} {}
+      : from_(from), to_(to), expected_(expected), points_(expected, from.positions.size()) {}
 
   PointId point(PointId p);
   /// `turned`: with the opposite normal.
@@ -22,7 +21,7 @@ class GeometryLoader {
   /// Those that were asked for before; may be called from many threads.
   PointId known(PointId p) const { return p.valid() ? PointId(points_.known(p.value())) : p; }
   PlaneId known(PlaneId s, bool turned) const {
-    return s.valid() ? PlaneId(planes_[turned].known(s.value())) : s;
+    return s.valid() ? PlaneId(planes_[turned]->known(s.value())) : s;
   }
 
  private:
@@ -32,8 +31,11 @@ class GeometryLoader {
 
   const Geometry& from_;
   Geometry& to_;
-  IdMap points_, planes_[2];                        // planes as they are, and turned ones
-  std::vector<std::uint32_t> frames_, directions_;  // empty until the first is asked for
+  std::size_t expected_;
+  IdMap points_;
+  // None until the first is asked for.
+  std::optional<IdMap> planes_[2];  // as they are, and turned
+  std::optional<IdMap> frames_, directions_;
 };
 
 /// Adds the plane with the opposite normal.

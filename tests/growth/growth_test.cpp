@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <memory>
 
+#include "geometry/geometry.h"
 #include "growth/steps.h"
 #include "sectile/boolean.h"
 #include "sectile/primitives.h"
@@ -9,6 +11,7 @@
 #include "sectile/solid.h"
 #include "sectile/transform.h"
 #include "sectile/validate.h"
+#include "storage/geometry_loader.h"
 
 namespace sectile {
 namespace {
@@ -298,6 +301,31 @@ TEST(Growth, ASmallCutInALargeMovedSolid) {
     return static_cast<double>(steps_of(cut));
   };
   EXPECT_LT((steps(80000) - steps(20000)) / 60000, 10);
+}
+
+// Solids that were moved each in its own way: a point finds its frame without a look at the others.
+TEST(Growth, LoadingPointsOfManyFrames) {
+  EXPECT_LT(
+      growth(
+          [](std::size_t n) {
+            auto from = std::make_shared<Geometry>();
+            for (std::size_t i = 0; i < n; ++i) {
+              const double by = static_cast<double>(i);
+              const auto frame = std::make_shared<const Frame>(
+                  std::array<double, 12>{1, 0, 0, by, 0, 1, 0, 0, 0, 0, 1, 0});
+              from->add_point(MovedPoint{{1, 2, 3}, from->frames.place(frame)}, {1 + by, 2, 3});
+            }
+            return [from] {
+              Geometry to;
+              for (std::size_t part = 0; part < 4; ++part) {  // as from several blocks
+                GeometryLoader loader(*from, to, 64);
+                for (const PointId p : from->positions.ids())
+                  if (p.value() % 4 == part) loader.point(p);
+              }
+            };
+          },
+          5000),
+      n_log_n);
 }
 
 // Edges beside the seam are flipped; what is far from it is not looked at for that.

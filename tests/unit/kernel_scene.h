@@ -82,7 +82,7 @@ class Scene {
                  rational(m[4 * k + 2]) * at[2] + rational(m[4 * k + 3]);
       if (abs(image[k]) > Rational(Integer(1) << 1023u)) return false;
     }
-    geometry.frames.push_back(std::make_shared<const Frame>(m));
+    geometry.frames.place(std::make_shared<const Frame>(m));
     geometry.add_point(MovedPoint{local, static_cast<std::uint32_t>(geometry.frames.size() - 1)},
                        Vec3{nearest(image[0]), nearest(image[1]), nearest(image[2])});
     points.push_back(image);
@@ -111,7 +111,7 @@ class Scene {
     if (n == Vector{0, 0, 0}) return;
     auto direction = std::make_shared<ExactDirection>();
     for (int k = 0; k < 3; ++k) direction->d[k] = ExactNumber(Dyadic(component(along, k)));
-    geometry.directions.push_back(std::move(direction));
+    geometry.directions.place(std::move(direction));
     geometry.add_plane(PlaneDefinition::along_direction(
         PointId(a), PointId(b), static_cast<std::uint32_t>(geometry.directions.size() - 1)));
     planes.push_back({n, -dot(n, points[a])});
