@@ -39,6 +39,20 @@ TEST(AppMeasure, VerticesEdgesAndFaces) {
   EXPECT_EQ(result(driver), "no tool");
 }
 
+// What is gone has no length.
+TEST(AppMeasure, UndoForgetsWhatWasPicked) {
+  AppDriver driver(1100, 700);
+  driver.add("block");
+  driver.enter("properties.size.x", "4");
+  driver.key(Key::escape);
+  driver.key(Key::home);
+  driver.key('M', false, true);
+  driver.click(driver.app().on_screen({2, -1, 1}));
+  ASSERT_EQ(result(driver), "Vertex: x 2 \u00B7 y -1 \u00B7 z 1");
+  driver.key('Z', true);
+  EXPECT_EQ(result(driver), "");
+}
+
 TEST(AppMeasure, TheRadiusOfARim) {
   AppDriver driver(1100, 700);
   driver.add("cylinder");

@@ -142,5 +142,57 @@ TEST(AppPlace, ASolidIsNotPlacedOnItself) {
   EXPECT_EQ(driver.session().interface.tool, nullptr);
 }
 
+// What was picked is gone: nothing is placed, and the tool begins anew.
+TEST(AppPlace, UndoBetweenThePicksForgetsTheFirst) {
+  PlateAndBlock two;
+  AppDriver& driver = two.driver;
+  driver.key('F', false, true);
+  const Bounds block = driver.session().bounds_of(driver.scene().roots()[1]);
+  driver.click(two.seen({block.centre().x, block.low.y, block.centre().z}));
+  while (driver.scene().roots().size() > 1) driver.key('Z', true);
+  const Scene before = driver.scene();
+  driver.click(two.seen({-1.5, 0.5, 0.5}));
+  EXPECT_EQ(driver.scene(), before);
+  ASSERT_NE(driver.session().interface.tool, nullptr);
+  EXPECT_EQ(driver.session().interface.tool->hint(driver.session().view),
+            "Click the face on which it is to lie.")
+      << "this is the first pick now";
+}
+
+// Undo gives the place back that is shown; Enter shows it again, and takes it only then.
+TEST(AppPlace, UndoOfWhatIsShownTakesNothing) {
+  PlateAndBlock two;
+  AppDriver& driver = two.driver;
+  driver.key('F', false, true);
+  const Bounds block = driver.session().bounds_of(driver.scene().roots()[1]);
+  driver.click(two.seen({block.centre().x, block.low.y, block.centre().z}));
+  driver.click(two.seen({-1.5, 0.5, 0.5}));
+  driver.key('Z', true);
+  EXPECT_EQ(placement(driver, 1).position, (Vec3{2.3, 0, 4.7}));
+  driver.key(Key::enter);
+  EXPECT_EQ(placement(driver, 1).position.z, 1.5);
+  EXPECT_NE(driver.session().interface.tool, nullptr);
+  driver.key(Key::enter);
+  EXPECT_EQ(driver.session().interface.tool, nullptr);
+  EXPECT_EQ(driver.session().document.undo_name(), "Face on face");
+}
+
+TEST(AppPlace, UndoWithAPickedEdgeChamfersNothing) {
+  PlateAndBlock two;
+  AppDriver& driver = two.driver;
+  driver.key('B', true);
+  ASSERT_NE(driver.session().interface.tool, nullptr);
+  const Bounds b = driver.session().bounds_of(driver.scene().roots()[1]);
+  driver.click(two.seen({b.low.x + 0.4, b.low.y, b.high.z}));
+  ASSERT_TRUE(driver.session().document.has_draft());
+  while (driver.scene().roots().size() > 1) driver.key('Z', true);
+  const Scene before = driver.scene();
+  driver.key(Key::enter);
+  EXPECT_EQ(driver.scene(), before);
+  ASSERT_NE(driver.session().interface.tool, nullptr);
+  EXPECT_EQ(driver.session().interface.tool->hint(driver.session().view),
+            "Click the edge that is to be cut off.");
+}
+
 }  // namespace
 }  // namespace sectile::viewer

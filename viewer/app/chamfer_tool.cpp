@@ -56,7 +56,7 @@ void ChamferTool::show(Session& session) {
 }
 
 void ChamferTool::take(Session& session) {
-  if (!session.document.has_draft()) return;
+  if (!session.document.has_draft()) return show(session);  // undo took it away, or it says why not
   session.document.commit_draft();
   session.interface.messages.tell(
       std::string("Chamfer: ") +
@@ -102,6 +102,14 @@ void ChamferTool::text(Session& session, const std::string& typed) {
 
 void ChamferTool::give_up(Session& session) {
   session.document.drop_draft();
+}
+
+void ChamferTool::scene_changed(Session& session) {
+  if (!picked_) return;
+  give_up(session);
+  hovered_.reset(), picked_.reset();
+  problem_.clear();
+  session.interface.messages.tell("The scene has changed: pick again.");
 }
 
 void ChamferTool::add_to(Picture& picture, const ViewState& view) const {

@@ -21,6 +21,7 @@ class ChamferTool : public PictureTool {
   bool key(Session& session, const Event& event) override;
   void text(Session& session, const std::string& typed) override;
   void give_up(Session& session) override;
+  void scene_changed(Session& session) override;
   void add_to(Picture& picture, const ViewState& view) const override;
 
  private:

@@ -82,6 +82,12 @@ void MeasureTool::press(Session& session, const Pointer& pointer) {
   measure();
 }
 
+// What was measured may have another size now.
+void MeasureTool::scene_changed(Session&) {
+  hovered_.reset(), first_.reset(), second_.reset();
+  measure();
+}
+
 void MeasureTool::measure() {
   circle_.reset();
   measurement_ = {};

@@ -15,6 +15,7 @@ class MeasureTool : public PictureTool {
   std::string hint(const ViewState& view) const override;
   void follow(Session& session, const Pointer& pointer) override;
   void press(Session& session, const Pointer& pointer) override;
+  void scene_changed(Session& session) override;
   void add_to(Picture& picture, const ViewState& view) const override;
   /// "Distance 3 · dx 1 · …"; empty before the first pick.
   const std::string& result() const { return result_; }

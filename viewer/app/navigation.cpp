@@ -95,12 +95,14 @@ bool Navigation::escape(Session& session) {
 
 bool Navigation::key(Session& session, const Event& event) {
   if (!session.interface.tool) return false;
+  session.tell_tool_of_changes();
   const bool taken = session.interface.tool->key(session, event);
   session.drop_done_tool();
   return taken;
 }
 
 void Navigation::text(Session& session, const std::string& typed) {
+  session.tell_tool_of_changes();
   if (session.interface.tool) session.interface.tool->text(session, typed);
   session.drop_done_tool();
 }
@@ -220,6 +222,7 @@ void Navigation::update(Session& session, const Rectangle& place) {
   const glm::dvec2 size(place.width, place.height);
   const glm::dvec2 at(io.MousePos.x - place.x, io.MousePos.y - place.y);
   session.interface.pointer = at;
+  session.tell_tool_of_changes();
   if (session.results.repair.is_open() && state.drag) {
     state.drag.reset();
     state.gesture = Gesture::none;

@@ -77,6 +77,7 @@ void PlaceTool::show(Session& session) {
 }
 
 void PlaceTool::take(Session& session) {
+  if (!session.document.has_draft()) return show(session);  // undo took it away
   session.document.commit_draft();
   session.interface.dragging.clear();
   session.interface.messages.tell(title() + ": " + said(landing_.is_exact) + ".");
@@ -97,6 +98,13 @@ bool PlaceTool::key(Session& session, const Event& event) {
 void PlaceTool::give_up(Session& session) {
   session.document.drop_draft();
   session.interface.dragging.clear();
+}
+
+void PlaceTool::scene_changed(Session& session) {
+  if (!first_) return;
+  give_up(session);
+  hovered_.reset(), first_.reset(), second_.reset();
+  session.interface.messages.tell("The scene has changed: pick again.");
 }
 
 void PlaceTool::add_to(Picture& picture, const ViewState& view) const {

@@ -16,6 +16,7 @@ class PlaceTool : public PictureTool {
   void press(Session& session, const Pointer& pointer) override;
   bool key(Session& session, const Event& event) override;
   void give_up(Session& session) override;
+  void scene_changed(Session& session) override;
   void add_to(Picture& picture, const ViewState& view) const override;
 
  protected:

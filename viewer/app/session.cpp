@@ -133,6 +133,13 @@ void Session::begin_tool(std::unique_ptr<PictureTool> wanted) {
   end_tool();
   document.drop_draft();
   interface.tool = std::move(wanted);
+  tool_knows_ = document.committed_number();
+}
+
+void Session::tell_tool_of_changes() {
+  if (!interface.tool || tool_knows_ == document.committed_number()) return;
+  tool_knows_ = document.committed_number();
+  interface.tool->scene_changed(*this);
 }
 
 void Session::end_tool() {

@@ -107,6 +107,7 @@ class Session {
   void begin_tool(std::unique_ptr<PictureTool> wanted);  ///< the one before is given up
   void end_tool();                                       ///< gives it up
   void drop_done_tool();
+  void tell_tool_of_changes();  ///< if the scene is not what it was when it was told last
 
   // --- Results ---
   /// The Boolean whose steps are shown: the selected one, the one above the selection, or the
@@ -155,8 +156,9 @@ class Session {
   FileWork files_;
   std::size_t wished_operand_ = 0;  ///< 0: the last
   Mode mode_ = Mode::model;
-  Selection isolated_;      ///< empty: everything is shown
-  Camera camera_of_model_;  ///< while the steps are shown
+  Selection isolated_;            ///< empty: everything is shown
+  std::uint64_t tool_knows_ = 0;  ///< the scene's number
+  Camera camera_of_model_;        ///< while the steps are shown
   Camera camera_before_repair_;
   bool frame_next_ = false;  ///< look at everything as soon as it is computed
 };
