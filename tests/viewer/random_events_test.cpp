@@ -54,6 +54,17 @@ TEST_P(RandomEvents, UndoLeadsBackToTheBeginningByteForByte) {
   EXPECT_EQ(text_of(driver), before);
 }
 
+// This one typed into a slider, typed again where the text was shorter, and took steps of the first
+// text back, at which ImGui ended the program.
+TEST(RandomPeople, MayTypeIntoASliderTwice) {
+  AppDriver driver(800, 520);
+  driver.key(Key::escape);
+  RandomPerson person(driver, 112);
+  driver.add("block");
+  for (int i = 0; i < 400; ++i)
+    ASSERT_NO_THROW(person.act()) << "event " << i << ": " << person.last();
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomEvents, testing::Values(1, 2, 3));
 
 }  // namespace

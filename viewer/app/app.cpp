@@ -19,6 +19,13 @@
 namespace sectile::viewer {
 namespace {
 
+/// A field that was left and is typed into again has the undo steps of its earlier text, and ImGui
+/// ends the program where they do not fit the text that it has now.
+void forget_text_of_fields_left() {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (context.InputTextState.ID != context.ActiveId) context.InputTextState.ID = 0;
+}
+
 /// ImGui's context of one App; several can live side by side.
 class InterfaceContext {
  public:
@@ -74,6 +81,7 @@ class App::Implementation {
     let_keys_walk_in_menus();
     session_.update(seconds, options_.wait_for_results);
     ImGui::NewFrame();
+    forget_text_of_fields_left();
     react(fed);
     was_busy_ = session_.is_busy();
     widgets_.begin_frame();
