@@ -44,8 +44,6 @@ TEST(AppMeasure, UndoForgetsWhatWasPicked) {
   AppDriver driver(1100, 700);
   driver.add("block");
   driver.enter("properties.size.x", "4");
-  driver.key(Key::escape);
-  driver.key(Key::home);
   driver.key('M', false, true);
   driver.click(driver.app().on_screen({2, -1, 1}));
   ASSERT_EQ(result(driver), "Vertex: x 2 \u00B7 y -1 \u00B7 z 1");

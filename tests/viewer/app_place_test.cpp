@@ -36,6 +36,11 @@ struct PlateAndBlock {
     driver.key(Key::home);
   }
   glm::dvec2 seen(const glm::dvec3& p) { return driver.app().on_screen(p); }
+  /// Clicks, for Face on face, the block's front.
+  void pick_front() {
+    const Bounds block = driver.session().bounds_of(driver.scene().roots()[1]);
+    driver.click(seen({block.centre().x, block.low.y, block.centre().z}));
+  }
   AppDriver driver;
 };
 
@@ -71,8 +76,7 @@ TEST(AppPlace, CentredAndTurnedOverByKeys) {
   PlateAndBlock two;
   AppDriver& driver = two.driver;
   driver.key('F', false, true);
-  const Bounds block = driver.session().bounds_of(driver.scene().roots()[1]);
-  driver.click(two.seen({block.centre().x, block.low.y, block.centre().z}));
+  two.pick_front();
   driver.click(two.seen({-1.5, 0.5, 0.5}));
   driver.key('C');
   EXPECT_EQ(placement(driver, 1).position, (Vec3{0, 0, 1.5}));
@@ -147,8 +151,7 @@ TEST(AppPlace, UndoBetweenThePicksForgetsTheFirst) {
   PlateAndBlock two;
   AppDriver& driver = two.driver;
   driver.key('F', false, true);
-  const Bounds block = driver.session().bounds_of(driver.scene().roots()[1]);
-  driver.click(two.seen({block.centre().x, block.low.y, block.centre().z}));
+  two.pick_front();
   while (driver.scene().roots().size() > 1) driver.key('Z', true);
   const Scene before = driver.scene();
   driver.click(two.seen({-1.5, 0.5, 0.5}));
@@ -164,8 +167,7 @@ TEST(AppPlace, UndoOfWhatIsShownTakesNothing) {
   PlateAndBlock two;
   AppDriver& driver = two.driver;
   driver.key('F', false, true);
-  const Bounds block = driver.session().bounds_of(driver.scene().roots()[1]);
-  driver.click(two.seen({block.centre().x, block.low.y, block.centre().z}));
+  two.pick_front();
   driver.click(two.seen({-1.5, 0.5, 0.5}));
   driver.key('Z', true);
   EXPECT_EQ(placement(driver, 1).position, (Vec3{2.3, 0, 4.7}));
