@@ -1,6 +1,5 @@
 #include "storage/geometry_loader.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace sectile {

@@ -47,7 +47,8 @@ class Document {
 
   /// Without what is being dragged.
   const Scene& committed() const { return history_.committed(); }
-  std::uint64_t committed_number() const { return history_.committed_number(); }  ///< of no other
+  /// The number of that step, which no other step of this document has.
+  std::uint64_t committed_number() const { return history_.committed_number(); }
   /// Keeps a copy of what is decided and not saved; called whenever something may have been.
   void keep_copy();
   /// The same, at once on disk: false if it is not.

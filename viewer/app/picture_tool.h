@@ -38,7 +38,7 @@ class PictureTool {
   virtual bool key(Session&, const Event&) { return false; }
   virtual void text(Session&, const std::string&) {}
   virtual void give_up(Session&) {}  ///< Esc, or another tool begins
-  /// The scene has changed, as by undo: what was picked may be gone. Comes before all else.
+  /// The scene has changed, as by undo: what was picked may be gone. Called before all else.
   virtual void scene_changed(Session&) {}
   virtual void add_to(Picture&, const ViewState&) const {}
 
