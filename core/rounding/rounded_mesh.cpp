@@ -1,4 +1,5 @@
 #include <string>
+#include <utility>
 
 #include "import/diagnosis.h"
 #include "rounding/plain_rounding.h"
@@ -16,9 +17,14 @@ void bound_displacement(const RoundingReport& report, const Rounding& options) {
                        report.largest_at);
 }
 
+[[noreturn]] void refuse_cramped(const Vec3& where) {
+  throw RoundingFailed("there is no room to separate what touches at " + in_words(where), where);
+}
+
 // Where changes nearby do not help, the corners there go to a coarser grid, and what they bound
 // then is rounded anew. Each grid is coarser and reaches farther than the last, until all corners
-// are at one place: so it ends.
+// are at one place: so it ends. Where there is no room near by to separate what touches, what is
+// thinner than a step may be in the way: that vanishes first, and nothing that is thicker.
 RoundedMesh round_until_legal(std::shared_ptr<const SolidData> data, const Rounding& options) {
   const RoundingGrid grid(options);
   RoundingSteps steps(options);
@@ -30,15 +36,19 @@ RoundedMesh round_until_legal(std::shared_ptr<const SolidData> data, const Round
     }
   RoundedMesh result;
   Displacement moved;
-  for (double coarseness = 4;; coarseness *= 4) {
+  constexpr double near_by = 64, far = 0x1p20;
+  bool was_cramped = false;
+  for (double coarseness = 1;;) {
     RoundingAttempt attempt(*data, grid, options, moved, steps);
     if (result.report.corners == 0) result.report.corners = attempt.corners();
-    if (attempt.run()) {
+    if (attempt.run(was_cramped ? far : near_by)) {
       attempt.take(result);
       break;
     }
+    const bool is_cramped = attempt.cramped_at().has_value();
+    if (is_cramped && std::exchange(was_cramped, true)) refuse_cramped(*attempt.cramped_at());
     Displacement farther;
-    data = attempt.coarser(coarseness, farther);
+    data = attempt.coarser(is_cramped ? 1 : coarseness *= 4, farther);
     moved = std::move(farther);
     ++result.report.resolved;
     result.report.largest_move = moved.largest();

@@ -21,8 +21,11 @@ class RoundingAttempt {
   /// Of the solid.
   std::size_t corners() const { return rounded_.point.size(); }
 
-  /// False if something is left that no change nearby can mend.
-  bool run();
+  /// False if something is left that no change nearby can mend. To separate what touches, corners
+  /// move by about `separation_reach` steps at most.
+  bool run(double separation_reach);
+  /// After run() failed: a place where parts touch that are to be separated, and there is no room.
+  const std::optional<Vec3>& cramped_at() const { return cramped_at_; }
 
   /// After run() succeeded; the report adds to what `result` has already.
   void take(RoundedMesh& result);
@@ -33,6 +36,7 @@ class RoundingAttempt {
 
  private:
   RoundingRepair& repair();
+  bool separate(double separation_reach);
   void make_mesh();
   std::uint32_t wrong_shell() const;
   bool is_one_shell() const;
@@ -49,6 +53,7 @@ class RoundingAttempt {
   std::optional<RoundingRepair> repair_;
   std::vector<std::uint32_t> stuck_;  // triangles
   bool shell_is_wrong_ = false;
+  std::optional<Vec3> cramped_at_;
   std::size_t separated_ = 0;
   PolygonMesh mesh_;
   std::vector<FaceSource> sources_;

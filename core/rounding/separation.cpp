@@ -5,7 +5,6 @@
 #include <numeric>
 #include <tuple>
 
-#include "import/diagnosis.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -26,7 +25,7 @@ Vec3 middle_of(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-std::size_t Separation::run(const Rounding& options) {
+Separation::Result Separation::run(const Rounding& options, double greatest_reach) {
   find_fans();
   give_fans_vertices();
   divide_pinched_edges();
@@ -37,27 +36,21 @@ std::size_t Separation::run(const Rounding& options) {
     // The last one to be looked at is alone by then.
     for (std::size_t i = to; to > from + 1 && i-- > from;) waiting.push_back(places[i].second);
   }
-  if (waiting.empty()) return 0;
+  if (waiting.empty()) return {};
   for (const auto& [place, vertex] : places) ++many_[place];
   kernel_.refresh();
   rounded_.surface.ignored.resize(rounded_.surface.size(), 0);
   for (std::uint32_t t = 0; t < rounded_.alive.size(); ++t)
     rounded_.surface.ignored[t] = rounded_.alive[t] == 0;
   LocalChanges changes(rounded_, kernel_);
-  constexpr double greatest_reach = 0x1p20;
-  for (double reach = 1; !waiting.empty(); reach *= 2) {
+  for (double reach = 1; !waiting.empty() && reach <= greatest_reach; reach *= 2) {
     if (options.cancel && options.cancel->load(std::memory_order_relaxed)) throw Cancelled();
-    if (reach > greatest_reach) {
-      const Vec3& where = rounded_.position(waiting.front());
-      throw RoundingFailed("there is no room to separate what touches at " + in_words(where),
-                           where);
-    }
     std::vector<std::uint32_t> left;
     for (const std::uint32_t v : waiting)
       if (!move_apart(changes, v, reach)) left.push_back(v);
     waiting = std::move(left);
   }
-  return moved_;
+  return {moved_, std::move(waiting)};
 }
 
 void Separation::find_fans() {
@@ -208,7 +201,7 @@ std::vector<std::pair<Separation::Place, std::uint32_t>> Separation::places_of_v
 // Towards the middle of the neighbours, which is where a wedge has most room, and to the 26 places
 // around; the nearest first.
 std::vector<Vec3> Separation::places_near(const LocalChanges& changes, std::uint32_t vertex,
-                                          double reach) const {
+                                          double step) const {
   const Vec3 at = rounded_.position(vertex);
   Vec3 way{0, 0, 0};
   for (const std::uint32_t t : changes.star(vertex))
@@ -218,7 +211,7 @@ std::vector<Vec3> Separation::places_near(const LocalChanges& changes, std::uint
       if (away == 0) continue;
       way = {way.x + (p.x - at.x) / away, way.y + (p.y - at.y) / away, way.z + (p.z - at.z) / away};
     }
-  const double step = reach * grid_.step(at), size = std::hypot(way.x, way.y, way.z);
+  const double size = std::hypot(way.x, way.y, way.z);
   std::vector<Vec3> places;
   if (size > 0)
     for (const double far : {1.0, 1.5})
@@ -232,11 +225,20 @@ std::vector<Vec3> Separation::places_near(const LocalChanges& changes, std::uint
   return places;
 }
 
+// What is thinner than a step has room where small coordinates have numbers nearer to each other.
 bool Separation::move_apart(LocalChanges& changes, std::uint32_t vertex, double reach) {
   const bool is_middle = std::binary_search(middles_.begin(), middles_.end(), vertex);
+  if (!is_middle && many_.at(place(vertex)) == 1) return true;
+  const double step = grid_.step(rounded_.position(vertex));
+  return move_to_one_of(changes, vertex, places_near(changes, vertex, reach * step)) ||
+         (reach > 1 &&
+          move_to_one_of(changes, vertex, places_near(changes, vertex, step / (reach * reach))));
+}
+
+bool Separation::move_to_one_of(LocalChanges& changes, std::uint32_t vertex,
+                                const std::vector<Vec3>& places) {
   const Place before = place(vertex);
-  if (!is_middle && many_.at(before) == 1) return true;
-  for (const Vec3& to : places_near(changes, vertex, reach)) {
+  for (const Vec3& to : places) {
     if (many_[{to.x + 0.0, to.y + 0.0, to.z + 0.0}] > 0) continue;
     if (!changes.move(vertex, to)) continue;
     if (!changes.is_free()) {
@@ -245,7 +247,7 @@ bool Separation::move_apart(LocalChanges& changes, std::uint32_t vertex, double 
     }
     changes.keep();
     ++moved_;
-    if (!is_middle) --many_[before];
+    if (!std::binary_search(middles_.begin(), middles_.end(), vertex)) --many_[before];
     many_[place(vertex)] = 1;
     return true;
   }

@@ -23,8 +23,12 @@ class Separation {
   Separation(RoundedSurface& rounded, Kernel& kernel, const RoundingGrid& grid)
       : rounded_(rounded), kernel_(kernel), grid_(grid) {}
 
-  /// How many vertices were moved. Throws RoundingFailed if there is no room.
-  std::size_t run(const Rounding& options);
+  struct Result {
+    std::size_t moved = 0;               ///< vertices
+    std::vector<std::uint32_t> cramped;  ///< vertices that touch others still: there is no room
+  };
+  /// No vertex is moved by more than about `greatest_reach` steps.
+  Result run(const Rounding& options, double greatest_reach);
 
  private:
   struct Edge {
@@ -42,8 +46,9 @@ class Separation {
   void divide_half(std::uint32_t t, std::size_t k, std::uint32_t middle);
   std::uint32_t add_vertex(const Vec3& place, const Vec3& origin, bool is_exact);
   bool move_apart(LocalChanges& changes, std::uint32_t vertex, double reach);
+  bool move_to_one_of(LocalChanges& changes, std::uint32_t vertex, const std::vector<Vec3>& places);
   std::vector<Vec3> places_near(const LocalChanges& changes, std::uint32_t vertex,
-                                double reach) const;
+                                double step) const;
   Place place(std::uint32_t vertex) const {
     const Vec3& p = rounded_.position(vertex);
     return {p.x + 0.0, p.y + 0.0, p.z + 0.0};

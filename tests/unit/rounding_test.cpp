@@ -144,6 +144,14 @@ void expect_manifold(const Solid& solid, std::size_t least_separated) {
   }
 }
 
+Solid tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  PolygonMesh mesh;
+  mesh.positions = {a, b, c, d};
+  mesh.face_sizes = {3, 3, 3, 3};
+  mesh.indices = {0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0};
+  return repair(mesh);
+}
+
 Solid two_cubes(const Vec3& low) {
   return boolean(block({0, 0, 0}, {1, 1, 1}), block(low, {low.x + 1, low.y + 1, low.z + 1}),
                  Operation::unite);
@@ -207,6 +215,48 @@ TEST(SeparateTouching, GoesToNoPlaceThatIsTaken) {
       EXPECT_NE(std::string(error.what()).find("no room"), std::string::npos);
     }
   }
+}
+
+// A square one with its tip at (1, 0, 0), towards +y.
+Solid pyramid_at_one(double half_width, double height) {
+  const double h = half_width;
+  const Vec3 tip{1, 0, 0}, a{1 - h, -height, -h}, b{1 + h, -height, -h}, c{1 + h, -height, h},
+      d{1 - h, -height, h};
+  return boolean(tetrahedron(tip, a, b, c), tetrahedron(tip, c, d, a), Operation::unite);
+}
+
+// The tip of a pyramid touches the bottom of a pit, and all of it is far thinner than a step.
+TEST(SeparateTouching, WhereOnlySmallCoordinatesHaveRoom) {
+  constexpr double w = 0x1p-30;
+  const Solid plate =
+      boolean(block({0.5, -w, -0.5}, {1.5, w, 0.5}), pyramid_at_one(0.25, w), Operation::subtract);
+  const Solid parts[] = {plate, pyramid_at_one(0.25, 2 * w),
+                         block({0.5, -3 * w, -0.5}, {1.5, -2 * w, 0.5})};
+  Rounding rounding = to(Numbers::floats);
+  rounding.separate_touching = true;
+  const RoundedMesh rounded = expect_legal(unite(parts), rounding);
+  EXPECT_EQ(manifold_fault(rounded.mesh), "");
+  EXPECT_EQ(rounded.report.separated, 1u);
+  EXPECT_EQ(rounded.report.resolved, 0u);
+  EXPECT_LE(rounded.report.largest_move, 2 * w);
+}
+
+// Wedges in each other, far thinner than a step, have an edge in common: to tell them apart,
+// corners would have to move far. They vanish, and the block that is there with them stays.
+TEST(SeparateTouching, WhatIsThinnerThanAStepVanishesFirst) {
+  const Vec3 u{0.5014f, -0.2529f, 0.4971f}, v{0.3f, 0.7f, 0.2f};
+  Solid wedges;
+  for (const double w : {0x1p-60, 0x1p-59, 3 * 0x1p-60, 0x1p-58})
+    wedges =
+        boolean(tetrahedron(u, v, {-w, w / 2, 0}, {w / 2, 0, -w / 4}), wedges, Operation::subtract);
+  const Solid body = block({2, 0, 0}, {3, 1, 1});
+  Rounding rounding = to(Numbers::floats);
+  EXPECT_NE(manifold_fault(rounded_mesh(wedges, rounding).mesh), "");
+  rounding.separate_touching = true;
+  const RoundedMesh rounded = rounded_mesh(boolean(body, wedges, Operation::unite), rounding);
+  EXPECT_EQ(manifold_fault(rounded.mesh), "");
+  EXPECT_EQ(Solid::from_mesh(rounded.mesh), body);
+  EXPECT_LE(rounded.report.largest_move, 0x1p-23);
 }
 
 TEST(SeparateTouching, LeavesAManifoldAsItIs) {
