@@ -162,7 +162,7 @@ TEST(AppPlace, UndoBetweenThePicksForgetsTheFirst) {
       << "this is the first pick now";
 }
 
-// Undo gives the place back that is shown; Enter shows it again, and takes it only then.
+// Undo gives the place back that is shown, and with it the second pick.
 TEST(AppPlace, UndoOfWhatIsShownTakesNothing) {
   PlateAndBlock two;
   AppDriver& driver = two.driver;
@@ -171,12 +171,34 @@ TEST(AppPlace, UndoOfWhatIsShownTakesNothing) {
   driver.click(two.seen({-1.5, 0.5, 0.5}));
   driver.key('Z', true);
   EXPECT_EQ(placement(driver, 1).position, (Vec3{2.3, 0, 4.7}));
+  EXPECT_EQ(driver.session().interface.dragging, "");
   driver.key(Key::enter);
+  EXPECT_EQ(placement(driver, 1).position, (Vec3{2.3, 0, 4.7}));
+  ASSERT_NE(driver.session().interface.tool, nullptr);
+  EXPECT_EQ(driver.session().interface.tool->hint(driver.session().view),
+            "Click the face on which it is to lie.");
+  driver.click(two.seen({-1.5, 0.5, 0.5}));
   EXPECT_EQ(placement(driver, 1).position.z, 1.5);
-  EXPECT_NE(driver.session().interface.tool, nullptr);
   driver.key(Key::enter);
   EXPECT_EQ(driver.session().interface.tool, nullptr);
   EXPECT_EQ(driver.session().document.undo_name(), "Face on face");
+}
+
+TEST(AppPlace, UndoOfAChamferThatIsShownAsksForAnEdge) {
+  PlateAndBlock two;
+  AppDriver& driver = two.driver;
+  const Scene before = driver.scene();
+  driver.key('B', true);
+  const Bounds b = driver.session().bounds_of(driver.scene().roots()[1]);
+  driver.click(two.seen({b.low.x + 0.4, b.low.y, b.high.z}));
+  ASSERT_TRUE(driver.session().document.has_draft());
+  driver.key('Z', true);
+  EXPECT_EQ(driver.scene(), before);
+  driver.key(Key::enter);
+  EXPECT_EQ(driver.scene(), before);
+  ASSERT_NE(driver.session().interface.tool, nullptr);
+  EXPECT_EQ(driver.session().interface.tool->hint(driver.session().view),
+            "Click the edge that is to be cut off.");
 }
 
 TEST(AppPlace, UndoWithAPickedEdgeChamfersNothing) {

@@ -56,7 +56,7 @@ void ChamferTool::show(Session& session) {
 }
 
 void ChamferTool::take(Session& session) {
-  if (!session.document.has_draft()) return show(session);  // undo took it away, or it says why not
+  if (!session.document.has_draft()) return show(session);  // or it says why there is none
   session.document.commit_draft();
   session.interface.messages.tell(
       std::string("Chamfer: ") +
@@ -110,6 +110,10 @@ void ChamferTool::scene_changed(Session& session) {
   hovered_.reset(), picked_.reset();
   problem_.clear();
   session.interface.messages.tell("The scene has changed: pick again.");
+}
+
+void ChamferTool::preview_undone(Session&) {
+  picked_.reset();
 }
 
 void ChamferTool::add_to(Picture& picture, const ViewState& view) const {

@@ -22,6 +22,7 @@ class ChamferTool : public PictureTool {
   void text(Session& session, const std::string& typed) override;
   void give_up(Session& session) override;
   void scene_changed(Session& session) override;
+  void preview_undone(Session& session) override;
   void add_to(Picture& picture, const ViewState& view) const override;
 
  private:

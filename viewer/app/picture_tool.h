@@ -40,6 +40,7 @@ class PictureTool {
   virtual void give_up(Session&) {}  ///< Esc, or another tool begins
   /// The scene has changed, as by undo: what was picked may be gone. Called before all else.
   virtual void scene_changed(Session&) {}
+  virtual void preview_undone(Session&) {}  ///< undo took away what the tool was showing
   virtual void add_to(Picture&, const ViewState&) const {}
 
   bool is_done() const { return done_; }

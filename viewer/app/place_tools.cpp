@@ -77,7 +77,7 @@ void PlaceTool::show(Session& session) {
 }
 
 void PlaceTool::take(Session& session) {
-  if (!session.document.has_draft()) return show(session);  // undo took it away
+  if (!session.document.has_draft()) return show(session);  // another one took its place
   session.document.commit_draft();
   session.interface.dragging.clear();
   session.interface.messages.tell(title() + ": " + said(landing_.is_exact) + ".");
@@ -105,6 +105,11 @@ void PlaceTool::scene_changed(Session& session) {
   give_up(session);
   hovered_.reset(), first_.reset(), second_.reset();
   session.interface.messages.tell("The scene has changed: pick again.");
+}
+
+void PlaceTool::preview_undone(Session& session) {
+  session.interface.dragging.clear();
+  second_.reset();
 }
 
 void PlaceTool::add_to(Picture& picture, const ViewState& view) const {

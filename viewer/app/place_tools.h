@@ -17,6 +17,7 @@ class PlaceTool : public PictureTool {
   bool key(Session& session, const Event& event) override;
   void give_up(Session& session) override;
   void scene_changed(Session& session) override;
+  void preview_undone(Session& session) override;
   void add_to(Picture& picture, const ViewState& view) const override;
 
  protected:

@@ -24,7 +24,11 @@ bool Session::change(const std::string& what, const std::function<void(Scene&)>&
 }
 
 void Session::undo() {
-  if (document.has_draft()) return document.drop_draft();
+  if (document.has_draft()) {
+    document.drop_draft();
+    if (interface.tool) interface.tool->preview_undone(*this);
+    return;
+  }
   if (!document.can_undo()) return;
   const std::string what = document.undo_name();
   document.undo();
