@@ -209,19 +209,6 @@ TEST(MovedSolid, AMoveCopiesNothing) {
     EXPECT_EQ(&from[s].block->brep(), &to[s].block->brep());
 }
 
-TEST(MovedSolid, ChainsOfTurnsAndCutsStayExact) {
-  Matrices matrices(4);
-  Solid body = block({-2, -2, -2}, {2, 2, 2}), mirror = body;
-  for (int i = 0; i < 12; ++i) {
-    const Transform turn = matrices.rotation();
-    const Solid tool = block({1.5, -3, -3}, {3, 3, 3});
-    body = boolean(transformed(body, turn), tool, Operation::subtract);
-    expect_legal(body);
-    ASSERT_FALSE(body.is_empty());
-  }
-  EXPECT_LT(body.volume(), mirror.volume());
-}
-
 // A tooth is what a half of a slab has beyond its own image under a turn. Its two sides lie in a
 // plane and in the image of that plane, so that each tooth is flush with the next one.
 TEST(MovedSolid, AGearOfFortyTurnedTeeth) {
