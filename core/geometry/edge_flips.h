@@ -15,6 +15,21 @@
 
 namespace sectile {
 
+/// Is one of several triangles far thinner than long, as far as doubles tell? One alone is what it
+/// is. Only the shape depends on it. exact.seen(corner) gives about where a corner is.
+template <class Predicates>
+bool any_sliver(const Predicates& exact, std::span<const std::array<std::uint32_t, 3>> triangles) {
+  if (triangles.size() < 2) return false;
+  constexpr double thinness = 0x1p-20;
+  return std::any_of(triangles.begin(), triangles.end(), [&](const auto& t) {
+    const auto a = exact.seen(t[0]), b = exact.seen(t[1]), c = exact.seen(t[2]);
+    const double ux = b[0] - a[0], uy = b[1] - a[1], vx = c[0] - a[0], vy = c[1] - a[1];
+    const double wx = vx - ux, wy = vy - uy;
+    const double longest = std::max({ux * ux + uy * uy, vx * vx + vy * vy, wx * wx + wy * wy});
+    return std::abs(ux * vy - uy * vx) < thinness * longest;
+  });
+}
+
 /// Doubles decide which edges would better be flipped, and only the shape depends on them; exact
 /// turns decide which ones can be. No edge of the region's boundary is flipped, and each triangle
 /// stays in the sector of its corner that it is in.

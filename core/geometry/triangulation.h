@@ -51,14 +51,17 @@ void triangulate(const Predicates& exact, std::span<const std::uint32_t> loop_en
   RegionSweep(exact, loop_ends, triangles).run();
 }
 
-/// The same with triangles of better shape, where the region has many corners: slivers through half
-/// of it would have boxes that overlap everything. Predicates have seen() as well, see EdgeFlips.
+/// The same with triangles of better shape, where the region has many corners or some triangle is a
+/// sliver: those through half of the region would have boxes that overlap everything, and any
+/// rounding turns over the one that is cut off at a corner of nearly 180°. Predicates have seen()
+/// as well, see EdgeFlips.
 template <CornerPredicates Predicates>
 void triangulate_in_shape(const Predicates& exact, std::span<const std::uint32_t> loop_ends,
                           std::vector<std::array<std::uint32_t, 3>>& triangles) {
   const std::size_t first = triangles.size();
   triangulate(exact, loop_ends, triangles);
-  if (triangles.size() - first > EarClipping<Predicates>::most_corners)
+  if (triangles.size() - first > EarClipping<Predicates>::most_corners ||
+      any_sliver(exact, std::span(triangles).subspan(first)))
     EdgeFlips(exact, loop_ends, triangles, first).run();
 }
 

@@ -49,6 +49,21 @@ TEST(triangulation, straight_corners_are_used) {
   expect_triangulated(Region({square_of_steps}), 78);
 }
 
+TEST(triangulation, nearly_straight_corners_are_not_cut_off) {
+  constexpr std::int64_t far = 1 << 24;
+  Loop quad{{0, 0}, {far / 2, -1}, {far, 0}, {far / 2, far / 2}};
+  for (std::size_t turn = 0; turn < quad.size(); ++turn) {
+    const Region region({quad});
+    Triangles triangles;
+    triangulate_in_shape(region.predicates(), region.loop_ends, triangles);
+    expect_covers(region, triangles);
+    const auto nearly_straight = static_cast<std::uint32_t>((5 - turn) % 4);
+    for (const auto& triangle : triangles)  // both end there
+      EXPECT_EQ(std::count(triangle.begin(), triangle.end(), nearly_straight), 1);
+    std::rotate(quad.begin(), quad.begin() + 1, quad.end());
+  }
+}
+
 TEST(triangulation, holes) {
   expect_triangulated(Region({square(0, 0, 9), square_hole(3, 3, 3)}), 8);
   expect_triangulated(Region({square_hole(1, 1, 1), square(0, 0, 9), square_hole(5, 5, 2)}), 14);
