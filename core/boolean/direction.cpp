@@ -19,23 +19,6 @@ Direction direction_of(const Kernel& kernel, const Patch& patch, HalfEdgeId h) {
                            brep.point_of(brep.to(h)));
 }
 
-Within within_sector(const Kernel& kernel, PlaneId plane, Direction d, Direction first,
-                     Direction last) {
-  const Sign from_first = turn(kernel, plane, first, d);
-  if (from_first == Sign::zero && same_way(kernel, plane, first, d)) return Within::along_first;
-  const Sign to_last = turn(kernel, plane, d, last);
-  if (to_last == Sign::zero && same_way(kernel, plane, d, last)) return Within::along_last;
-  const Sign opening = turn(kernel, plane, first, last);
-  if (opening == Sign::positive)
-    return from_first == Sign::positive && to_last == Sign::positive ? Within::inside
-                                                                     : Within::outside;
-  if (opening == Sign::negative)
-    return from_first == Sign::negative && to_last == Sign::negative ? Within::outside
-                                                                     : Within::inside;
-  if (same_way(kernel, plane, first, last)) return Within::inside;
-  return from_first == Sign::positive ? Within::inside : Within::outside;
-}
-
 HalfEdgeId previous_with_length(const Brep& brep, HalfEdgeId h) {
   do h = brep.prev_of(h);
   while (brep.point_of(brep.from(h)) == brep.point_of(brep.to(h)));
@@ -49,9 +32,18 @@ HalfEdgeId next_with_length(const Brep& brep, HalfEdgeId h) {
 }
 
 Within within_corner(const Kernel& kernel, const Patch& patch, HalfEdgeId h, Direction d) {
-  const PlaneId plane = patch.brep.plane_of(h);
-  return within_sector(kernel, plane, d, direction_of(kernel, patch, h),
-                       -direction_of(kernel, patch, previous_with_length(patch.brep, h)));
+  const Brep& brep = patch.brep;
+  const HalfEdgeId before = previous_with_length(brep, h);
+  const PlaneId plane = brep.plane_of(h);
+  const auto first = [&] { return direction_of(kernel, patch, h); };
+  const auto last = [&] { return -direction_of(kernel, patch, before); };
+  const Sign from_first = turn_from(kernel, brep.point_of(brep.to(h)), d),
+             to_last = -turn_from(kernel, brep.point_of(brep.from(before)), d);
+  if (from_first == Sign::zero && same_way(kernel, plane, first(), d)) return Within::along_first;
+  if (to_last == Sign::zero && same_way(kernel, plane, last(), d)) return Within::along_last;
+  if (from_first == to_last && from_first != Sign::zero)
+    return from_first == Sign::positive ? Within::inside : Within::outside;
+  return turn(kernel, plane, first(), last()) == Sign::positive ? Within::outside : Within::inside;
 }
 
 namespace {

@@ -18,6 +18,12 @@ struct Direction {
 inline Sign turn(const Kernel& kernel, PlaneId plane, Direction a, Direction b) {
   return a.sense * b.sense * kernel.det(plane, a.across, b.across);
 }
+/// Positive: d is less than half a turn counter-clockwise of where the point lies, as seen from the
+/// line of d. With normals n, m of the plane and the one across, and the way e to the point:
+/// e × (n × m) = n (e · m).
+inline Sign turn_from(const Kernel& kernel, PointId point, Direction d) {
+  return kernel.side(point, d.across) * d.sense;
+}
 /// For directions without a turn: do they agree (or are they opposite)?
 bool same_way(const Kernel& kernel, PlaneId plane, Direction a, Direction b);
 
@@ -34,12 +40,8 @@ HalfEdgeId next_with_length(const Brep& brep, HalfEdgeId h);
 
 enum class Within : std::uint8_t { outside, inside, along_first, along_last };
 
-/// Where a direction lies relative to the sector that reaches counter-clockwise from `first` to
-/// `last`; equal bounds mean a full turn.
-Within within_sector(const Kernel& kernel, PlaneId plane, Direction d, Direction first,
-                     Direction last);
-
-/// The same for the corner from which h leaves.
+/// Where a direction from the start of h lies relative to the corner there, which reaches
+/// counter-clockwise from h to the half-edge before it; equal bounds mean a full turn.
 Within within_corner(const Kernel& kernel, const Patch& patch, HalfEdgeId h, Direction d);
 
 /// Does a come before b on the way counter-clockwise from `start`? All three differ in direction,

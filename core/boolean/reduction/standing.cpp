@@ -42,9 +42,8 @@ Standing at_corner(const Kernel& kernel, const Patch& patch, const BoundaryItem&
   return {Where::along, item.entity, patch.brep.prev_of(item.h)};
 }
 
-Standing on_edge(const Kernel& kernel, const Patch& patch, PlaneId plane, const BoundaryItem& item,
-                 Direction d) {
-  switch (turn(kernel, plane, direction_of(kernel, patch, item.h), d)) {
+Standing on_edge(const Kernel& kernel, const Patch& patch, const BoundaryItem& item, Direction d) {
+  switch (turn_from(kernel, patch.brep.point_of(patch.brep.to(item.h)), d)) {
     case Sign::positive:
       return {Where::inside, item.entity, {}};
     case Sign::negative:
@@ -94,9 +93,8 @@ Standing among(const Kernel& kernel, const Patch& patch, PlaneId plane,
 Standing standing(const Kernel& kernel, const Patch& patch, FaceId face,
                   std::span<const BoundaryItem> items, Direction d) {
   if (items.empty()) return {Where::inside, face, {}};
-  const PlaneId plane = patch.plane(face);
-  if (items.size() > 1) return among(kernel, patch, plane, items, d);
-  return items[0].entity.is_edge() ? on_edge(kernel, patch, plane, items[0], d)
+  if (items.size() > 1) return among(kernel, patch, patch.plane(face), items, d);
+  return items[0].entity.is_edge() ? on_edge(kernel, patch, items[0], d)
                                    : at_corner(kernel, patch, items[0], d);
 }
 
