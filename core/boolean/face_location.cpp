@@ -57,8 +57,8 @@ void locate(const Kernel& kernel, const Patch& patch, FaceId face, const Probe& 
   }
 
   RayCount count(kernel, patch, patch.plane(face), point, found);
-  if (const OutlineTree* outline = patch.outline[face.value()].get()) {
-    count.add(*outline, patch.outline_half_edges[face.value()]);
+  if (const Patch::Outline* outline = patch.outline(face)) {
+    count.add(outline->tree, outline->half_edges);
   } else {
     for_each_in_face(brep, face, [&](HalfEdgeId h) { count.add(h); });
   }

@@ -26,7 +26,6 @@ Patch load_whole(const SolidData& solid, Geometry& geometry) {
   patch.brep.kind.assign(patch.brep.face_count(), FaceKind::real);
   patch.face_in_solid.resize(patch.brep.face_count());
   for (std::size_t f = 0; f < patch.face_in_solid.size(); ++f) patch.face_in_solid[f] = FaceId(f);
-  patch.half_edge_in_solid.resize(patch.brep.half_edge_count());
   patch.side_plane.resize(patch.brep.half_edge_count());
   patch.whole = true;
   return patch;
@@ -223,8 +222,6 @@ void move_to_end(Patch& patch, const Geometry& own, Geometry& geometry) {
 void Patch::reserve(std::size_t more_edges) {
   brep.reserve(more_edges, more_edges, more_edges);
   side_plane.reserve(side_plane.size() + 2 * more_edges);
-  half_edge_in_solid.reserve(half_edge_in_solid.size() + 2 * more_edges);
-  flat.reserve(flat.size() + more_edges);
   root.reserve(root.size() + more_edges);
 }
 
@@ -289,8 +286,6 @@ void pin_flat_edges(Patch& patch, Geometry& geometry, const Kernel& kernel) {
 void find_boxes(Patch& patch, const Geometry& geometry, const Kernel& kernel) {
   const Brep& brep = patch.brep;
   patch.face_boxes.resize(patch.loaded_faces);
-  patch.outline.resize(patch.loaded_faces);
-  patch.outline_half_edges.resize(patch.loaded_faces);
   std::vector<Vec3> corners;
   std::vector<std::uint32_t> loop_ends;
   for (std::size_t i = 0; i < patch.loaded_faces; ++i) {
@@ -304,15 +299,17 @@ void find_boxes(Patch& patch, const Geometry& geometry, const Kernel& kernel) {
     if (count < many_corners) continue;
     corners.clear();
     loop_ends.clear();
+    std::vector<HalfEdgeId> half_edges;
     for (LoopId l = brep.outer_loop[FaceId(i)]; l.valid(); l = brep.next_loop[l]) {
       for_each_in_loop(brep, l, [&](HalfEdgeId h) {
         corners.push_back(geometry.position(brep.point_of(brep.from(h))));
-        patch.outline_half_edges[i].push_back(h);
+        half_edges.push_back(h);
       });
       loop_ends.push_back(static_cast<std::uint32_t>(corners.size()));
     }
-    patch.outline[i] =
-        std::make_unique<OutlineTree>(corners, loop_ends, kernel.main_axis(patch.plane(FaceId(i))));
+    patch.outlines.resize(patch.loaded_faces);
+    patch.outlines[i].reset(new Patch::Outline{
+        {corners, loop_ends, kernel.main_axis(patch.plane(FaceId(i)))}, std::move(half_edges)});
   }
 }
 

@@ -23,19 +23,24 @@ struct Patch {
   /// Per loaded edge and vertex: the operand's. Empty if all of it is loaded.
   std::vector<EdgeId> edge_in_solid;
   std::vector<VertexId> vertex_in_solid;
+  /// Of a loaded half-edge of an open end (in a rest face): the operand's half-edge; otherwise
+  /// invalid. Empty if all of it is loaded.
+  Table<HalfEdgeId, HalfEdgeId> half_edge_in_solid;
+  /// Does a loaded edge lie between coplanar faces?
+  Table<EdgeId, std::uint8_t> flat;
   // What follows grows with the structure: see PatchEuler.
   /// The loaded face of which a face is a part.
   Table<FaceId, FaceId> root;
-  /// Of a half-edge of an open end (in a rest face): the operand's half-edge; otherwise invalid.
-  Table<HalfEdgeId, HalfEdgeId> half_edge_in_solid;
   /// A plane through a half-edge that is not parallel to its face's plane; invalid for null edges.
   Table<HalfEdgeId, PlaneId> side_plane;
-  /// Does an edge lie between coplanar faces?
-  Table<EdgeId, std::uint8_t> flat;
 
-  /// Per loaded face with many corners: a tree over its half-edges.
-  std::vector<std::unique_ptr<OutlineTree>> outline;
-  std::vector<std::vector<HalfEdgeId>> outline_half_edges;
+  /// A tree over the half-edges of a face.
+  struct Outline {
+    OutlineTree tree;
+    std::vector<HalfEdgeId> half_edges;
+  };
+  /// Per loaded face with many corners; empty if there is none.
+  std::vector<std::unique_ptr<const Outline>> outlines;
   std::vector<Box> face_boxes;
 
   /// Per loaded vertex: the one that is tested for all in its place. Empty if each is tested
@@ -52,6 +57,9 @@ struct Patch {
 
   bool is_real(FaceId f) const { return brep.kind[f] == FaceKind::real; }
   PlaneId plane(FaceId f) const { return brep.plane[f]; }
+  const Outline* outline(FaceId f) const {
+    return outlines.empty() ? nullptr : outlines[f.value()].get();
+  }
   PlaneId side(HalfEdgeId h) const { return side_plane[h]; }
   bool is_flat(EdgeId e) const { return flat[e] != 0; }
   FaceId root_of(FaceId f) const { return root[f]; }

@@ -2,30 +2,14 @@
 
 namespace sectile {
 
-void PatchEuler::grow() {
-  while (patch_.flat.size() < patch_.brep.edge_count()) {
-    patch_.flat.add(0);
-    for (int side = 0; side < 2; ++side) {
-      patch_.side_plane.add({});
-      patch_.half_edge_in_solid.add({});
-    }
-  }
-}
-
 HalfEdgeId PatchEuler::grown(HalfEdgeId made, FaceId root, PlaneId side) {
-  grown(made);
   while (patch_.root.size() < patch_.brep.face_count()) patch_.root.add(root);
-  patch_.side_plane[made] = patch_.side_plane[Brep::twin(made)] = side;
-  return made;
+  return grown(made, side, side);
 }
 
 HalfEdgeId PatchEuler::divide(HalfEdgeId h, PointId point) {
   const VertexId vertex = euler_.semv(h, point);
-  const HalfEdgeId on = grown(patch_.brep.vertex_half_edge[vertex]);
-  patch_.side_plane[on] = patch_.side(h);
-  patch_.side_plane[Brep::twin(on)] = patch_.side(Brep::twin(h));
-  patch_.flat[Brep::edge_of(on)] = patch_.flat[Brep::edge_of(h)];
-  return on;
+  return grown(patch_.brep.vertex_half_edge[vertex], patch_.side(h), patch_.side(Brep::twin(h)));
 }
 
 HalfEdgeId PatchEuler::mef(HalfEdgeId a, HalfEdgeId b, Euler::NewFace which, PlaneId side) {

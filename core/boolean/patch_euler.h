@@ -1,6 +1,8 @@
 // The Euler operators on a patch: what they make has its properties at once.
 #pragma once
 
+#include <cassert>
+
 #include "boolean/patch.h"
 #include "topology/euler.h"
 
@@ -19,7 +21,7 @@ class PatchEuler {
   HalfEdgeId mev(HalfEdgeId first, HalfEdgeId end) { return grown(euler_.mev(first, end)); }
   void mev_chain(std::span<const HalfEdgeId> first, HalfEdgeId end, std::vector<HalfEdgeId>& made) {
     euler_.mev_chain(first, end, made);
-    grow();
+    patch_.side_plane.resize(patch_.brep.half_edge_count());
   }
   HalfEdgeId mevvr(FaceId face, PointId point) { return grown(euler_.mevvr(face, point)); }
 
@@ -31,9 +33,11 @@ class PatchEuler {
   void move_loop(LoopId loop, FaceId face, bool outer) { euler_.move_loop(loop, face, outer); }
 
  private:
-  void grow();
-  HalfEdgeId grown(HalfEdgeId made) {
-    grow();
+  // The planes through the two half-edges of an edge that was made.
+  HalfEdgeId grown(HalfEdgeId made, PlaneId side = {}, PlaneId of_twin = {}) {
+    assert(made == patch_.side_plane.end_id());
+    patch_.side_plane.add(side);
+    patch_.side_plane.add(of_twin);
     return made;
   }
   HalfEdgeId grown(HalfEdgeId made, FaceId root, PlaneId side);

@@ -18,7 +18,7 @@ namespace {
 OutlineTree::Target as_target(const Workspace& w, Operand solid, FaceId face) {
   const Patch& patch = w.patch[solid];
   if (patch.unbounded) return {};
-  if (const OutlineTree* outline = patch.outline[face.value()].get()) return outline->as_target();
+  if (const Patch::Outline* outline = patch.outline(face)) return outline->tree.as_target();
   return with_outer_corners(patch.brep, w.geometry, face, [](std::span<const Vec3> corners) {
     return OutlineTree::Target(corners);
   });
@@ -28,10 +28,9 @@ OutlineTree::Target as_target(const Workspace& w, Operand solid, FaceId face) {
 bool near_half_edges(const Workspace& w, Operand solid, FaceId face, FaceId across,
                      std::vector<SidedHalfEdge>& out) {
   const Patch& patch = w.patch[solid];
-  if (const OutlineTree* outline = patch.outline[face.value()].get()) {
-    const std::vector<HalfEdgeId>& half_edges = patch.outline_half_edges[face.value()];
-    outline->query(as_target(w, other(solid), across), [&](std::uint32_t edge) {
-      out.push_back({half_edges[edge], {}, {}});
+  if (const Patch::Outline* outline = patch.outline(face)) {
+    outline->tree.query(as_target(w, other(solid), across), [&](std::uint32_t edge) {
+      out.push_back({outline->half_edges[edge], {}, {}});
     });
     return false;
   }

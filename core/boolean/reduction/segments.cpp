@@ -372,7 +372,7 @@ class EdgeInPlane {
   std::span<const ContactId> contacts_on(const InPlane& pair, const Box& near) {
     const std::span<const ContactId> nodes = nodes_.near(pair.edge, near);
     const bool many =
-        nodes.size() > EdgeNodes::few_nodes && !w_.patch[other(s_)].outline[pair.face.value()];
+        nodes.size() > EdgeNodes::few_nodes && !w_.patch[other(s_)].outline(pair.face);
     return many ? nodes_.with(pair.face, pair.edge, of_face_) : nodes;
   }
 

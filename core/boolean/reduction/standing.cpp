@@ -11,7 +11,7 @@ void add_items(const Patch& patch, FaceId face, Entity entity, std::vector<Bound
       const HalfEdgeId h = Brep::half_edge(entity.edge(), side);
       if (brep.face_of(h) == face) items.push_back({entity, h});
     }
-  } else if (entity.is_vertex() && !patch.outline[face.value()]) {
+  } else if (entity.is_vertex() && !patch.outline(face)) {
     // A face without a tree has few corners, but a vertex may have thousands of sectors.
     for_each_in_face(brep, face, [&](HalfEdgeId h) {
       if (brep.from(h) == entity.vertex()) items.push_back({entity, h});
