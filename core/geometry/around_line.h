@@ -20,10 +20,13 @@ class AroundLine {
   /// axis all planes are parallel.
   AroundLine(const Kernel& kernel, int axis, Sign up) : kernel_(&kernel), axis_(axis), up_(up) {}
 
+  /// Positive: normal(a) × normal(b) has the direction of the line.
+  Sign cross(PlaneId a, PlaneId b) const {
+    return axis_ < 0 ? Sign::zero : kernel_->cross(a, b, axis_) * up_;
+  }
   /// Positive: b is less than half a turn counter-clockwise of a.
   Sign turn(const LineSide& a, const LineSide& b) const {
-    if (axis_ < 0) return Sign::zero;
-    const Sign s = kernel_->cross(a.plane, b.plane, axis_) * up_;
+    const Sign s = cross(a.plane, b.plane);
     return a.forward == b.forward ? s : -s;
   }
   /// For half-planes without a turn: are they the same one?

@@ -14,12 +14,8 @@ namespace {
 //        b_P ----------- a_Q
 class Joiner {
  public:
-  Joiner(Workspace& w, const Segment& segment, const Carrier& carrier)
-      : kernel_(w.tests()),
-        segment_(segment),
-        carrier_(carrier),
-        patch_(w.patch[carrier.operand]),
-        euler_(patch_) {}
+  Joiner(Workspace& w, const Carrier& carrier)
+      : carrier_(carrier), patch_(w.patch[carrier.operand]), euler_(patch_) {}
 
   CutSides join(const CutEnd& p, const CutEnd& q) {
     if (carrier_.entity.is_face()) return join_across(p, q);
@@ -36,7 +32,7 @@ class Joiner {
   }
 
   CutSides join_across(const CutEnd& p, const CutEnd& q) {
-    const PlaneId across = across_plane();
+    const PlaneId across = carrier_.direction.across;
     unite_parts(p.first, out(q));
     const HalfEdgeId forward = euler_.connect(p.first, out(q), across);
     const bool q_empty = !q.last.valid();
@@ -61,15 +57,8 @@ class Joiner {
     return {made, Brep::twin(even)};
   }
 
-  PlaneId across_plane() const {
-    const PlaneId plane = patch_.plane(carrier_.entity.face());
-    return kernel_.parallel(plane, segment_.plane[0]) ? segment_.plane[1] : segment_.plane[0];
-  }
-
   void make_null(HalfEdgeId h) { patch_.brep.kind[patch_.brep.face_of(h)] = FaceKind::null; }
 
-  const Kernel& kernel_;
-  const Segment& segment_;
   const Carrier& carrier_;
   Patch& patch_;
   PatchEuler euler_;
@@ -98,14 +87,12 @@ JoinedCuts join_null_edges(Workspace& w, const Neighborhoods& neighborhoods, con
   JoinedCuts joined;
   joined.sides.resize(neighborhoods.carriers.size());
   for_both_operands(neighborhoods.carriers.size(), [&](Operand s) {
-    for (const Segment& segment : neighborhoods.segments) {
+    for (const CarrierId id : neighborhoods.carriers.ids()) {
       w.check_cancelled();
-      for (const CarrierId id : segment.carriers) {
-        const Carrier& carrier = neighborhoods.carriers[id];
-        if (!carrier.cut || carrier.operand != s) continue;
-        const auto [p, q] = cuts.of_carrier[id];
-        joined.sides[id] = Joiner(w, segment, carrier).join(cuts.ends[p], cuts.ends[q]);
-      }
+      const Carrier& carrier = neighborhoods.carriers[id];
+      if (!carrier.cut || carrier.operand != s) continue;
+      const auto [p, q] = cuts.of_carrier[id];
+      joined.sides[id] = Joiner(w, carrier).join(cuts.ends[p], cuts.ends[q]);
     }
   });
   joined.divided = divided_faces(w, neighborhoods, cuts, joined.sides);

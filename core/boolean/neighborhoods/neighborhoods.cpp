@@ -78,6 +78,7 @@ class SegmentBuilder {
     for (std::size_t i = 0; i < wanted_.operations.size(); ++i)
       pair_wedges(wanted_.operations[i], wedges_[i]);
     if (wanted_.operations.empty()) cut_between_classes();
+    find_directions();
     found_.segments[id] = segment_;
   }
 
@@ -235,6 +236,18 @@ class SegmentBuilder {
       else if (one_side->cls != h.cls)
         carrier_of(h).cut = true;
     }
+  }
+
+  void find_directions() {
+    for (const CarrierId id : segment_.carriers)
+      if (Carrier& c = found_.carriers[id]; c.cut && c.entity.is_face())
+        c.direction = direction_in(w_.patch[c.operand].plane(c.entity.face()));
+  }
+
+  Direction direction_in(PlaneId plane) const {
+    const auto [p, q] = segment_.plane;
+    const Sign sense = line_.cross(plane, p);
+    return sense != Sign::zero ? Direction{p, sense} : Direction{q, line_.cross(plane, q)};
   }
 
   const Workspace& w_;

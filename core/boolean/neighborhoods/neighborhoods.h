@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "boolean/direction.h"
 #include "boolean/reduction/reduction.h"
 #include "boolean/tables.h"
 
@@ -17,9 +18,10 @@ namespace sectile {
 struct Carrier {
   Operand operand;
   Entity entity;
-  Entity end[2];      ///< what the operand has at the two places
-  bool along = true;  ///< an edge's even half-edge runs from place[0] to place[1]
-  bool cut = false;   ///< its two sides have different fates, or end in different wedges
+  Entity end[2];        ///< what the operand has at the two places
+  bool along = true;    ///< an edge's even half-edge runs from place[0] to place[1]
+  bool cut = false;     ///< its two sides have different fates, or end in different wedges
+  Direction direction;  ///< of a face that is cut: in it, from place[0] to place[1]
 };
 
 /// One side of a face or of an edge at a contact segment: half of a plane around the line.

@@ -53,7 +53,6 @@ class Corners {
 // What all cuts have in common.
 struct Given {
   const Workspace& w;
-  const Contacts& contacts;
   const Neighborhoods& n;
   const CutPlan& plan;
   const SiteVertices& vertices;
@@ -62,13 +61,12 @@ struct Given {
 // Where the cuts leave the sites of one place.
 class PlaceLeaver {
  public:
-  PlaceLeaver(const Given& given, const Table<CarrierId, Direction>& along)
+  explicit PlaceLeaver(const Given& given)
       : w_(given.w),
         kernel_(given.w.tests()),
         n_(given.n),
         plan_(given.plan),
-        vertices_(given.vertices),
-        along_(along) {}
+        vertices_(given.vertices) {}
 
   // True if an end leaves another site than was planned.
   bool leave_place(std::span<const SiteId> sites, Table<PlannedEndId, Leaving>& leaving) {
@@ -112,8 +110,7 @@ class PlaceLeaver {
       l.rank = at_start ? 0 : 2;
       l.end.corner = at_start ? h : next_with_length(patch_->brep, h);
     } else {
-      const Direction along = along_[end.carrier];
-      l.direction = end.which == 0 ? along : -along;
+      l.direction = end.which == 0 ? c.direction : -c.direction;
       if (plan_.sites[site].entity.is_face()) return l;
       l.end.corner = corner_of(c.entity.face(), l.direction);
     }
@@ -148,7 +145,6 @@ class PlaceLeaver {
   const Neighborhoods& n_;
   const CutPlan& plan_;
   const SiteVertices& vertices_;
-  const Table<CarrierId, Direction>& along_;  // for cut faces
 
   // Of the place that is looked at.
   const Patch* patch_ = nullptr;
@@ -161,19 +157,9 @@ class PlaceLeaver {
 class Ordering {
  public:
   explicit Ordering(const Given& given)
-      : given_(given),
-        w_(given.w),
-        kernel_(given.w.tests()),
-        n_(given.n),
-        plan_(given.plan),
-        along_(given.n.carriers.size()) {}
+      : given_(given), w_(given.w), kernel_(given.w.tests()), plan_(given.plan) {}
 
   CutOrder run(const SitesByPlace& places) {
-    for_each(w_, n_.segments.size(), chunk, [&](std::size_t i) {
-      const Segment& segment = n_.segments[SegmentId(i)];
-      for (const CarrierId c : segment.carriers)
-        along_[c] = direction_along(segment, n_.carriers[c]);
-    });
     leave(places);
     order_.ends.resize(leaving_.size());
     for_each(w_, order_.at.size(), chunk, [&](std::size_t i) { sort(SiteId(i)); });
@@ -183,21 +169,11 @@ class Ordering {
  private:
   static constexpr std::size_t chunk = 512;
 
-  // The direction of a segment within a face that it cuts.
-  Direction direction_along(const Segment& segment, const Carrier& c) const {
-    if (!c.cut || !c.entity.is_face()) return {};
-    const PlaneId plane = w_.patch[c.operand].plane(c.entity.face());
-    const PlaneId across =
-        kernel_.parallel(plane, segment.plane[0]) ? segment.plane[1] : segment.plane[0];
-    return direction_between(kernel_, plane, across, given_.contacts.point(segment.place[0]),
-                             given_.contacts.point(segment.place[1]));
-  }
-
   void leave(const SitesByPlace& places) {
     leaving_.resize(plan_.ends.size());
     const auto moved = collect_ranges<std::uint8_t>(
         w_, places.size(), chunk, [&](std::size_t first, std::size_t last, std::uint8_t& any) {
-          PlaceLeaver leaver(given_, along_);
+          PlaceLeaver leaver(given_);
           for (std::size_t i = first; i < last; ++i)
             if (!places[i].empty()) any |= leaver.leave_place(places[i], leaving_);
         });
@@ -279,19 +255,16 @@ class Ordering {
   const Given& given_;
   const Workspace& w_;
   const Kernel& kernel_;
-  const Neighborhoods& n_;
   const CutPlan& plan_;
-  Table<CarrierId, Direction> along_;  // for cut faces
   CutOrder order_;
   Table<PlannedEndId, Leaving> leaving_;  // by site, once grouped
 };
 
 }  // namespace
 
-CutOrder order_cuts(const Workspace& w, const Contacts& contacts,
-                    const Neighborhoods& neighborhoods, const CutPlan& plan,
+CutOrder order_cuts(const Workspace& w, const Neighborhoods& neighborhoods, const CutPlan& plan,
                     const SitesByPlace& places, const SiteVertices& vertices) {
-  return Ordering({w, contacts, neighborhoods, plan, vertices}).run(places);
+  return Ordering({w, neighborhoods, plan, vertices}).run(places);
 }
 
 }  // namespace sectile

@@ -19,8 +19,7 @@ struct CutOrder {
   Table<CutEndId, OrderedEnd> ends;     ///< by site
 };
 
-CutOrder order_cuts(const Workspace& w, const Contacts& contacts,
-                    const Neighborhoods& neighborhoods, const CutPlan& plan,
+CutOrder order_cuts(const Workspace& w, const Neighborhoods& neighborhoods, const CutPlan& plan,
                     const SitesByPlace& places, const SiteVertices& vertices);
 
 }  // namespace sectile

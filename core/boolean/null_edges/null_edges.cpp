@@ -118,7 +118,7 @@ Cuts insert_null_edges(Workspace& w, const Contacts& contacts, const Neighborhoo
   check_links(w, "subdivision");
   const SitesByPlace places(plan, contacts.places.size());
   PerOperand<OperandBridges> bridges = bridge_touching_corners(w, plan, places, vertices);
-  const CutOrder order = order_cuts(w, contacts, neighborhoods, plan, places, vertices);
+  const CutOrder order = order_cuts(w, neighborhoods, plan, places, vertices);
   Cuts cuts = in_order(w, plan, order);
   for_both_operands(cuts.sites.size(), [&](Operand s) {
     SiteSplitter splitter(w.patch[s], contacts, cuts, bridges[s].null_edges);
