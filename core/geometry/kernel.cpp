@@ -137,11 +137,24 @@ std::optional<Vec3> Kernel::along_axis(const Construction& how) const {
   return std::nullopt;
 }
 
+std::array<Bounded, 3> Kernel::bounded_place(const Construction& how) const {
+  if (!how.line_from.valid()) {
+    const BoundedPoint p = bounded(how);
+    return {quotient(p.x[0], p.w), quotient(p.x[1], p.w), quotient(p.x[2], p.w)};
+  }
+  // u + t (v - u) takes one quotient for all three.
+  const BoundedPlane& s = bounded(how.c);
+  const BoundedPoint u = given_point<Bounded>(geometry_, how.line_from);
+  Bounded along[3];
+  difference(geometry_, how.line_from, how.line_to, along);
+  const Bounded t = quotient(-(dot(s.n, u.x) + s.d), dot(s.n, along));
+  return {u.x[0] + t * along[0], u.x[1] + t * along[1], u.x[2] + t * along[2]};
+}
+
 ConstructedPoint Kernel::construct(const Construction& how) const {
   if (const auto at = along_axis(how)) return {*at, true};
-  const BoundedPoint near = bounded(how);
-  const auto x = nearest_quotient(near.x[0], near.w), y = nearest_quotient(near.x[1], near.w),
-             z = nearest_quotient(near.x[2], near.w);
+  const std::array<Bounded, 3> near = bounded_place(how);
+  const auto x = near[0].nearest(), y = near[1].nearest(), z = near[2].nearest();
   if (x && y && z && (x->inexact || y->inexact || z->inexact))
     return {{x->value, y->value, z->value}, false};
   const ExactPoint point = exact(how);

@@ -5,6 +5,7 @@
 // error, as an exact sum of products; in dyadic numbers of any length. The last always answers.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <optional>
 #include <vector>
@@ -100,6 +101,7 @@ class Kernel {
 
  private:
   std::optional<Vec3> along_axis(const Construction& how) const;
+  std::array<Bounded, 3> bounded_place(const Construction& how) const;
   Sign exact_side(PointId point, PlaneId plane) const;
   // Component `largest` of normal(a) × normal(b), the largest one as far as doubles tell.
   Estimate estimated_cross(PlaneId a, PlaneId b, int& largest) const;

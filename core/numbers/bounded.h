@@ -86,15 +86,17 @@ class Bounded {
     return normal(first, second, error);
   }
 
+  /// Correctly rounded, if the error leaves no doubt.
+  std::optional<Rounded> nearest() const {
+    // Rounding is monotonic: what both bounds are rounded to, so is the number.
+    if (high_ + (low_ - error_) == high_ && high_ + (low_ + error_) == high_)
+      return Rounded{high_, std::abs(low_) > error_};
+    return std::nullopt;
+  }
   /// numerator / denominator, correctly rounded, if the errors leave no doubt.
   friend std::optional<Rounded> nearest_quotient(const Bounded& numerator,
                                                  const Bounded& denominator) {
-    if (numerator.is_zero()) return Rounded{0, false};
-    const Bounded q = quotient(numerator, denominator);
-    // Rounding is monotonic: what both bounds are rounded to, so is the quotient.
-    if (q.high_ + (q.low_ - q.error_) == q.high_ && q.high_ + (q.low_ + q.error_) == q.high_)
-      return Rounded{q.high_, std::abs(q.low_) > q.error_};
-    return std::nullopt;
+    return quotient(numerator, denominator).nearest();
   }
 
   /// The root of a number that is not negative. For the root s of its first half and the rest r,
