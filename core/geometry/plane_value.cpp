@@ -30,11 +30,6 @@ class BitRange {
     high_ = std::max(high_, exponent);
     low_ = std::min(low_, exponent - 53 + __builtin_ctzll(bits));
   }
-  void add(const Vec3& p) {
-    add(p.x);
-    add(p.y);
-    add(p.z);
-  }
   bool small() const { return high_ < low_ || (high_ - low_ <= 16 && low_ > -60 && high_ < 60); }
 
  private:
@@ -92,11 +87,13 @@ PlaneValue with_offset(PlaneValue value, const Points& points) {
 
 PlaneValue exact_if_short(PlaneValue value, std::initializer_list<Vec3> points) {
   BitRange bits;
-  for (const Vec3& p : points) bits.add(p);
-  if (bits.small()) {
-    value.n_error = value.d_error = 0;
-    value.exact = true;
-  }
+  for (const Vec3& p : points)
+    for (const double coordinate : {p.x, p.y, p.z}) {
+      bits.add(coordinate);
+      if (!bits.small()) return value;
+    }
+  value.n_error = value.d_error = 0;
+  value.exact = true;
   return value;
 }
 
