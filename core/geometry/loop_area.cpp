@@ -1,43 +1,28 @@
 #include "geometry/loop_area.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "geometry/axes.h"
 #include "numbers/rounding.h"
 
 namespace sectile {
 
-Estimate estimated_area(const Geometry& geometry, const std::vector<PointId>& loop, int i, int j) {
-  const Vec3& origin = geometry.position(loop[0]);
-  double area = 0, extent_i = 0, extent_j = 0, size_i = 0, size_j = 0;
-  double last_i = 0, last_j = 0;
-  for (const PointId p : loop) {
-    const double x = component(geometry.position(p), i), y = component(geometry.position(p), j);
-    const double di = x - component(origin, i), dj = y - component(origin, j);
-    area += last_i * dj - last_j * di;
-    extent_i = std::max(extent_i, std::abs(di));
-    extent_j = std::max(extent_j, std::abs(dj));
-    size_i = std::max(size_i, std::abs(x));
-    size_j = std::max(size_j, std::abs(y));
-    last_i = di;
-    last_j = dj;
-  }
+Estimate LoopArea::estimate() const {
   using rounding::underflow, rounding::unit;
-  const auto count = static_cast<double>(loop.size());
+  const auto count = static_cast<double>(count_);
   // Positions near zero are off by half the least double.
   const double error = 16 * count * unit *
-                           (count * extent_i * extent_j + size_i * extent_j + size_j * extent_i +
-                            unit * size_i * size_j) +
-                       16 * count * underflow * (extent_i + extent_j) + count * underflow;
-  return {area, error};
+                           (count * extent_i_ * extent_j_ + size_i_ * extent_j_ +
+                            size_j_ * extent_i_ + unit * size_i_ * size_j_) +
+                       16 * count * underflow * (extent_i_ + extent_j_) + count * underflow;
+  return {area_, error};
 }
 
 bool is_counter_clockwise(const Kernel& kernel, PlaneId plane, const std::vector<PointId>& loop) {
   const int k = kernel.main_axis(plane), i = (k + 1) % 3, j = (k + 2) % 3;
   const Sign up = kernel.normal(plane, k);
-  const Estimate area = estimated_area(kernel.geometry(), loop, i, j);
-  if (area.decided()) return area.sign() == up;
+  LoopArea area(i, j);
+  for (const PointId p : loop) area.add(kernel.geometry().position(p));
+  if (area.estimate().decided()) return area.estimate().sign() == up;
   // At an extreme place all corners of a counter-clockwise loop are convex, and of a clockwise one
   // some is not.
   const auto before = [&](PointId p, PointId q) {

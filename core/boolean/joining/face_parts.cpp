@@ -25,6 +25,8 @@ class PartSettler {
 
   void settle(FaceId root, std::span<const FaceId> faces) {
     root_ = root;
+    axis_ = kernel_.main_axis(patch_.plane(root));
+    up_ = kernel_.normal(patch_.plane(root), axis_);
     if (keep_one_loop_each(faces)) return;
     find_loops(faces);
     // The face of a half-space has a part without an outer loop, which reaches to infinity.
@@ -77,14 +79,18 @@ class PartSettler {
   }
 
   bool turns_left(LoopId l) {
+    if (const Estimate area = area_of(l); area.decided()) return area.sign() == up_;
     collect_points(l);
     return points_.size() > 2 && is_counter_clockwise(kernel_, patch_.plane(root_), points_);
   }
 
-  Estimate area_of(LoopId l) {
-    collect_points(l);
-    const int k = kernel_.main_axis(patch_.plane(root_));
-    return estimated_area(w_.geometry, points_, (k + 1) % 3, (k + 2) % 3);
+  // Null edges do not change it.
+  Estimate area_of(LoopId l) const {
+    LoopArea area(next_axis(axis_), next_next_axis(axis_));
+    for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
+      area.add(w_.geometry.position(brep_.point_of(brep_.from(h))));
+    });
+    return area.estimate();
   }
 
   void collect_points(LoopId l) {
@@ -243,8 +249,7 @@ class PartSettler {
       const std::uint32_t all[] = {static_cast<std::uint32_t>(corners.size())};
       outlines_.push_back(corners.size() < many_edges
                               ? nullptr
-                              : std::make_unique<OutlineTree>(
-                                    corners, all, kernel_.main_axis(patch_.plane(root_))));
+                              : std::make_unique<OutlineTree>(corners, all, axis_));
     }
   }
 
@@ -256,6 +261,8 @@ class PartSettler {
   Patch& patch_;
   Brep& brep_;
   FaceId root_, endless_;
+  int axis_ = 0;                    // the main axis of the face
+  Sign up_ = Sign::zero;            // of its normal there
   FaceId loops_root_, edges_root_;  // of which what follows was made
   std::vector<LoopId> outer_, inner_;
   std::vector<std::uint32_t> near_;  // outer loops
