@@ -264,6 +264,7 @@ void for_each_found(std::vector<PairOutput>& outputs, const Visit& visit) {
 
 // Per element, by its order: that of the first one with the same entities.
 std::vector<std::uint32_t> first_finds(std::vector<Found> found, const EntityNumbers& of_a) {
+  if (found.empty()) return {};
   bucket_sort(
       found, of_a.size(), [&](const Found& f) { return of_a[f.a]; },
       [](const Found& p, const Found& q) {
@@ -277,13 +278,15 @@ std::vector<std::uint32_t> first_finds(std::vector<Found> found, const EntityNum
   return first;
 }
 
-// Several pairs of faces find a contact. Contacts are numbered as they are found first: what is
-// near in the solids is near in all tables from here on, and so in the caches.
+// Several pairs of faces find a contact, unless it lies within a face. Contacts are numbered as
+// they are found first: what is near in the solids is near in all tables from here on, and so in
+// the caches.
 void number_contacts(const EntityNumbers& of_a, std::vector<PairOutput>& outputs,
                      Table<ContactId, Contact>& contacts) {
+  const auto is_found_once = [](Entity a, Entity b) { return a.is_face() || b.is_face(); };
   std::vector<Found> found;
   for_each_found(outputs, [&](Entity a, Entity b) {
-    found.push_back({a, b, static_cast<std::uint32_t>(found.size())});
+    if (!is_found_once(a, b)) found.push_back({a, b, static_cast<std::uint32_t>(found.size())});
     return ContactId();
   });
   const std::vector<std::uint32_t> first = first_finds(std::move(found), of_a);
@@ -291,6 +294,7 @@ void number_contacts(const EntityNumbers& of_a, std::vector<PairOutput>& outputs
   number.reserve(first.size());
   for_each_found(outputs, [&](Entity a, Entity b) {
     const std::size_t i = number.size();
+    if (is_found_once(a, b)) return contacts.add({{a, b}, {}, {}});
     number.push_back(first[i] == i ? contacts.add({{a, b}, {}, {}}) : number[first[i]]);
     return number.back();
   });
