@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "boolean/workspace.h"
@@ -70,6 +71,26 @@ void for_each(const Workspace& w, std::size_t count, std::size_t size, const Bod
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
+}
+/// The first of several is not copied: where little is to be done, there are no others.
+template <class T>
+void append(std::vector<T>& to, std::vector<T>&& from) {
+  if (to.empty())
+    to = std::move(from);
+  else
+    append(to, std::as_const(from));
+}
+
+/// What was collected, in one.
+template <class T>
+std::vector<T> joined(std::vector<std::vector<T>> parts) {
+  if (parts.size() == 1) return std::move(parts[0]);
+  std::size_t size = 0;
+  for (const std::vector<T>& part : parts) size += part.size();
+  std::vector<T> all;
+  all.reserve(size);
+  for (const std::vector<T>& part : parts) append(all, part);
+  return all;
 }
 
 }  // namespace sectile

@@ -126,9 +126,9 @@ void make_trees(const Workspace& w, const SolidData& solid, std::span<const std:
 }
 
 // Pairs of faces that may meet, but for those that have a hub in common.
-void add_pairs(const Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs& slots,
-               const CommonHubs& hubs, FacePairs& pairs) {
-  const auto parts = collect_ranges<FacePairs>(
+FacePairs near_pairs(const Workspace& w, const SolidData& a, const SolidData& b,
+                     const SlotPairs& slots, const CommonHubs& hubs) {
+  return joined(collect_ranges<FacePairs>(
       w, slots.pairs().size(), 8, [&](std::size_t first, std::size_t last, FacePairs& out) {
         NearFaces near;
         for (const auto& [s, t] : slots.pairs().subspan(first, last - first))
@@ -140,8 +140,7 @@ void add_pairs(const Workspace& w, const SolidData& a, const SolidData& b, const
               [&, s = s, t = t](std::uint32_t hub, std::uint32_t across) {
                 return !hubs.empty() && hubs.are_at_one_place(s, hub, t, across);
               });
-      });
-  for (const FacePairs& part : parts) append(pairs, part);
+      }));
 }
 
 // Large ones beside each other, with geometries of their own at first.
@@ -165,8 +164,7 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
   make_trees(w, a, slots.slots(Operand::a));
   make_trees(w, b, slots.slots(Operand::b));
   const CommonHubs hubs(a, b, {{slots.slots(Operand::a), slots.slots(Operand::b)}});
-  pairs.clear();
-  add_pairs(w, a, b, slots, hubs, pairs);
+  pairs = near_pairs(w, a, b, slots, hubs);
   hubs.add_pairs(pairs);
   NearFaceMarks of_a(a, slots.slots(Operand::a)), of_b(b, slots.slots(Operand::b));
   for (const auto& [f, g] : pairs) {

@@ -295,14 +295,15 @@ class Finder {
     found_.half_planes.resize(2 * found_.carriers.size());
     found_.wedges.resize(wanted_.operations.size());
     using Wedges = std::vector<std::vector<WedgePair>>;
-    const auto parts = collect_ranges<Wedges>(
+    auto parts = collect_ranges<Wedges>(
         w_, segment_count(), chunk, [&](std::size_t first, std::size_t last, Wedges& wedges) {
           SegmentBuilder build(w_, contacts_, wanted_, first_carrier[first / chunk], found_,
                                wedges);
           for (std::size_t i = first; i < last; ++i) build(SegmentId(i), records(i));
         });
-    for (const Wedges& wedges : parts)
-      for (std::size_t i = 0; i < wedges.size(); ++i) append(found_.wedges[i], wedges[i]);
+    for (Wedges& wedges : parts)
+      for (std::size_t i = 0; i < wedges.size(); ++i)
+        append(found_.wedges[i], std::move(wedges[i]));
     return std::move(found_);
   }
 

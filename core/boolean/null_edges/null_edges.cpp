@@ -129,7 +129,7 @@ Cuts insert_null_edges(Workspace& w, const Contacts& contacts, const Neighborhoo
     }
   });
   for (const Operand s : both_operands) {
-    append(cuts.null_edges, bridges[s].null_edges);
+    append(cuts.null_edges, std::move(bridges[s].null_edges));
     cuts.bridged[s] = std::move(bridges[s].faces);
   }
   return cuts;

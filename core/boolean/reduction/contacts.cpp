@@ -77,6 +77,15 @@ struct PairOutput {
   PerOperand<std::vector<SidedHalfEdge>> sided;  // scratch
   PerOperand<std::vector<HalfEdgeId>> flat;      // scratch
   std::vector<Entity> found;                     // scratch
+
+  // For so many pairs of convex faces that cross each other.
+  void reserve(std::size_t count) {
+    pairs.reserve(count);
+    for (const Operand s : both_operands) {
+      hits[s].reserve(count);
+      meeting[s].reserve(2 * count);
+    }
+  }
 };
 
 class PairTest {
@@ -323,9 +332,11 @@ std::span<const Hit> ContactTable::find(Operand solid, Entity piercer, FaceId fa
 }
 
 ContactTable find_contacts(Workspace& w, const FacePairs& candidates, Contacts& found) {
-  auto outputs =
-      collect<PairOutput>(w, candidates.size(), 128, [&](std::size_t i, PairOutput& out) {
-        PairTest(w, out)(candidates[i].first, candidates[i].second);
+  auto outputs = collect_ranges<PairOutput>(
+      w, candidates.size(), 128, [&](std::size_t first, std::size_t last, PairOutput& out) {
+        out.reserve(last - first);
+        PairTest test(w, out);
+        for (std::size_t i = first; i < last; ++i) test(candidates[i].first, candidates[i].second);
       });
   ContactTable table;
   for (const Operand s : both_operands) table.numbers[s] = EntityNumbers(w.patch[s].brep);
@@ -335,11 +346,11 @@ ContactTable find_contacts(Workspace& w, const FacePairs& candidates, Contacts& 
       for (PairOfFaces& pair : out.pairs)
         for (auto* bound : {&pair.first_sided, &pair.last_sided})
           (*bound)[s] += static_cast<std::uint32_t>(table.sided[s].size());
-      append(table.sided[s], out.meeting[s]);
-      append(table.hits[s], out.hits[s]);
-      append(table.in_plane[s], out.in_plane[s]);
+      append(table.sided[s], std::move(out.meeting[s]));
+      append(table.hits[s], std::move(out.hits[s]));
+      append(table.in_plane[s], std::move(out.in_plane[s]));
     }
-    append(table.pairs, out.pairs);
+    append(table.pairs, std::move(out.pairs));
   }
   sort_by_piercer(table);
   make_points(w, found.contacts);

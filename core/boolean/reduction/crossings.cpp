@@ -112,9 +112,9 @@ bool add_crossings(Workspace& w, Contacts& found) {
   for (const Operand s : both_operands) {
     const CrossingEdges edges(w, found, s);
     using Crossings = std::vector<Crossing>;
-    for (const Crossings& some : collect<Crossings>(
-             w, edges.groups(), 32, [&](std::size_t i, Crossings&out) { edges(i, out); }))
-      append(crossings, some);
+    append(crossings,
+           joined(collect<Crossings>(w, edges.groups(), 32,
+                                     [&](std::size_t i, Crossings& out) { edges(i, out); })));
   }
   if (crossings.empty()) return false;
   add_contacts(w, crossings, found);

@@ -148,14 +148,11 @@ void split_at_places(const Workspace& w, Contacts& found) {
   const Noding noding(w, found);
   using Records = std::vector<SegmentRecord>;
   const std::span<const SegmentRecord> all = found.segments;
-  Records pieces;
-  pieces.reserve(all.size());
-  for (const Records& r : collect_ranges<Records>(
-           w, all.size(), 128, [&](std::size_t first, std::size_t last, Records&out) {
-             noding.split(all.subspan(first, last - first), out);
-           }))
-    append(pieces, r);
-  found.segments = std::move(pieces);
+  found.segments = joined(collect_ranges<Records>(
+      w, all.size(), 128, [&](std::size_t first, std::size_t last, Records& out) {
+        out.reserve(last - first);
+        noding.split(all.subspan(first, last - first), out);
+      }));
 }
 
 }  // namespace sectile

@@ -434,22 +434,23 @@ class EdgeInPlane {
 
 void find_segments(const Workspace& w, const ContactTable& table, Contacts& found) {
   using Records = std::vector<SegmentRecord>;
-  const auto of_pairs = collect_ranges<Records>(
+  found.segments = joined(collect_ranges<Records>(
       w, table.pairs.size(), 128, [&](std::size_t first, std::size_t last, Records& out) {
+        out.reserve(last - first);
         CrossingFaces cross(w, found, table, out);
         for (std::size_t i = first; i < last; ++i)
           if (!table.pairs[i].coplanar) cross(table.pairs[i]);
-      });
-  for (const Records& r : of_pairs) append(found.segments, r);
+      }));
   for (const Operand s : both_operands) {
     if (table.in_plane[s].empty()) continue;
     const EdgeNodes nodes(w, found, s);
-    const auto in_planes = collect_ranges<Records>(
-        w, table.in_plane[s].size(), 128, [&](std::size_t first, std::size_t last, Records& out) {
-          EdgeInPlane edge(w, found, table, nodes, s, out);
-          for (std::size_t i = first; i < last; ++i) edge(table.in_plane[s][i]);
-        });
-    for (const Records& r : in_planes) append(found.segments, r);
+    append(found.segments,
+           joined(collect_ranges<Records>(w, table.in_plane[s].size(), 128,
+                                          [&](std::size_t first, std::size_t last, Records& out) {
+                                            EdgeInPlane edge(w, found, table, nodes, s, out);
+                                            for (std::size_t i = first; i < last; ++i)
+                                              edge(table.in_plane[s][i]);
+                                          })));
   }
 }
 

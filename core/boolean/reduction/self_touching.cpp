@@ -139,9 +139,9 @@ void add_touched_faces(const Workspace& w, const ContactTable& table, Contacts& 
   Records more;
   for (const Operand s : both_operands) {
     const TouchedFaces touched(w, found, s);
-    for (const Records& r : collect<Records>(
-             w, flush.size(), 64, [&](std::size_t i, Records&out) { touched(flush[i], out); }))
-      append(more, r);
+    append(more, joined(collect<Records>(w, flush.size(), 64, [&](std::size_t i, Records& out) {
+             touched(flush[i], out);
+           })));
   }
   append(found.segments, more);
 }
