@@ -145,12 +145,14 @@ FacePairs near_pairs(const Workspace& w, const SolidData& a, const SolidData& b,
 
 // Large ones beside each other, with geometries of their own at first.
 void load_patches(Workspace& w, const SolidData& a, const std::vector<FaceId>& of_a,
-                  const SolidData& b, const std::vector<FaceId>& of_b) {
+                  const SolidData& b, const std::vector<FaceId>& of_b, std::size_t pairs) {
   constexpr std::size_t few = 500;
   Patch &patch_a = w.patch[Operand::a], &patch_b = w.patch[Operand::b];
   if (of_a.size() < few || of_b.size() < few) {
-    patch_a = load_patch(a, of_a, w.geometry);
-    patch_b = load_patch(b, of_b, w.geometry);
+    // The two faces of a pair are cut once, as a rule: five new edges in each, with both ends.
+    const std::size_t more_edges = 5 * std::min(pairs, few);
+    patch_a = load_patch(a, of_a, w.geometry, more_edges);
+    patch_b = load_patch(b, of_b, w.geometry, more_edges);
     return;
   }
   Geometry geometry_of_b;
@@ -174,7 +176,7 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
   const PerOperand<std::vector<FaceId>> at_hubs = hubs.faces();
   for (const FaceId f : at_hubs[Operand::a]) of_a.mark(f);
   for (const FaceId g : at_hubs[Operand::b]) of_b.mark(g);
-  load_patches(w, a, of_a.marked(), b, of_b.marked());
+  load_patches(w, a, of_a.marked(), b, of_b.marked(), pairs.size());
   w.kernel = std::make_unique<Kernel>(w.geometry);
   for (auto& [f, g] : pairs) {
     f = of_a.loaded_face(w.patch[Operand::a], f);

@@ -18,8 +18,9 @@ void shift(Brep& brep, const GeometryOffset& offset) {
   for (PointId& p : brep.point) p = offset.point(p);
 }
 
-Patch load_whole(const SolidData& solid, Geometry& geometry) {
+Patch load_whole(const SolidData& solid, Geometry& geometry, std::size_t more_edges) {
   Patch patch;
+  patch.reserve(solid.brep().edge_count() + more_edges);
   const GeometryOffset offset = append_geometry(solid.geometry(), geometry);
   patch.brep = solid.brep();
   shift(patch.brep, offset);
@@ -33,11 +34,13 @@ Patch load_whole(const SolidData& solid, Geometry& geometry) {
 
 class PartLoader {
  public:
-  PartLoader(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry)
+  PartLoader(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry,
+             std::size_t more_edges)
       : solid_(solid),
         to_(geometry),
         edges_(expected_edges(solid, faces)),
         loaders_(solid.slots().size()) {
+    patch_.reserve(expected_edges(solid, faces) + more_edges);
     for (const FaceId f : faces) load_face(f);
     close_ends();
     make_vertices();
@@ -202,10 +205,11 @@ class PartLoader {
 
 }  // namespace
 
-Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry) {
+Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry,
+                 std::size_t more_edges) {
   Patch patch = solid.is_whole() && 2 * faces.size() >= solid.face_count()
-                    ? load_whole(solid, geometry)
-                    : PartLoader(solid, faces, geometry).take();
+                    ? load_whole(solid, geometry, more_edges)
+                    : PartLoader(solid, faces, geometry, more_edges).take();
   patch.solid = &solid;
   patch.loaded_faces = patch.face_in_solid.size();
   patch.loaded_edges = patch.brep.edge_count();

@@ -79,7 +79,9 @@ struct Patch {
 };
 
 /// Loads the given faces (ascending) of a solid; its points and planes are added to `geometry`.
-Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry);
+/// There is room for so many more edges.
+Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry,
+                 std::size_t more_edges = 0);
 /// Appends the geometry of a patch to another one, of which the patch's is a part then.
 void move_to_end(Patch& patch, const Geometry& own, Geometry& geometry);
 
