@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "search/approximate.h"
 #include "unit/boolean/phases.h"
 
 namespace sectile {
 namespace {
 
+using namespace approximate;
 using test::Phases;
 
 std::size_t cut_carriers(const Neighborhoods& n) {
@@ -51,6 +53,25 @@ TEST(Neighborhoods, TwoFacesThatCrossAreFourHalfPlanesInTurn) {
       }
     EXPECT_EQ(cut_carriers(n), 12u);
   }
+}
+
+TEST(Neighborhoods, AFaceIsCutInTheDirectionFromTheFirstPlaceToTheSecond) {
+  Phases phases(test::lower_cube(), test::upper_cube(), Operation::unite);
+  const Neighborhoods& n = phases.neighborhoods();
+  const auto normal = [&](PlaneId s) {
+    const PlaneValue& value = phases.w.tests().value(s);
+    return Vec3{value.n[0], value.n[1], value.n[2]};
+  };
+  for (const Segment& s : n.segments)
+    for (const CarrierId id : s.carriers) {
+      const Carrier& c = n.carriers[id];
+      ASSERT_TRUE(c.cut && c.entity.is_face());
+      const Vec3 across = normal(c.direction.across),
+                 way = phases.position(s.place[1]) - phases.position(s.place[0]);
+      EXPECT_EQ(dot(across, way), 0);
+      const PlaneId plane = phases.w.patch[c.operand].plane(c.entity.face());
+      EXPECT_EQ(sign_of(dot(cross(normal(plane), across), way)), c.direction.sense);
+    }
 }
 
 TEST(Neighborhoods, AroundTheEdgesOfFlushBlocks) {
