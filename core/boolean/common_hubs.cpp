@@ -5,7 +5,6 @@
 
 #include "boolean/boolean.h"
 #include "boolean/collect.h"
-#include "boolean/line.h"
 
 namespace sectile {
 namespace {
@@ -27,12 +26,19 @@ CommonHubs::CommonHubs(const SolidData& a, const SolidData& b,
     first_[s].resize(data_[s]->slots().size());
     for (const std::uint32_t slot : slots[s]) {
       const std::size_t count = hubs(s, slot).size();
-      first_[s][slot] = static_cast<std::uint32_t>(place_[s].size());
+      first_[s][slot] = static_cast<std::uint32_t>(fan_[s].size());
       for (std::uint32_t h = 0; h < count; ++h) order_.push_back({s, slot, h});
-      place_[s].resize(place_[s].size() + count);
+      fan_[s].resize(fan_[s].size() + count);
     }
   }
-  if (place_[Operand::a].empty() || place_[Operand::b].empty()) order_.clear();
+  if (fan_[Operand::a].empty() || fan_[Operand::b].empty()) order_.clear();
+  number_places();
+  find_lines();
+  std::stable_sort(order_.begin(), order_.end(),
+                   [&](const Hub& g, const Hub& h) { return fan_of(g) < fan_of(h); });
+}
+
+void CommonHubs::number_places() {
   std::sort(order_.begin(), order_.end(), [&](const Hub& g, const Hub& h) {
     const Vec3 &p = position(g), &q = position(h);
     return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
@@ -43,133 +49,102 @@ CommonHubs::CommonHubs(const SolidData& a, const SolidData& b,
            !are_at_one_place(order_[j - 1], order_[i]))
       --j;
     const bool known = j > 0 && position(order_[j - 1]) == position(order_[i]);
-    place_of(order_[i]) = known ? place_of(order_[j - 1]) : static_cast<std::uint32_t>(i);
+    fan_of(order_[i]) = known ? fan_of(order_[j - 1]) : static_cast<std::uint32_t>(i);
   }
-  std::stable_sort(order_.begin(), order_.end(),
-                   [&](const Hub& g, const Hub& h) { return place_of(g) < place_of(h); });
+}
+
+// By the numbers of places. Many blocks have a part of one spine.
+std::vector<Hubs::Spine> CommonHubs::spines_between_places() const {
+  std::vector<Hubs::Spine> all;
+  for (const Hub& h : order_)
+    for (const Hubs::Spine& spine : hubs(h.solid, h.slot).spines())
+      if (spine.from == h.number)
+        all.push_back(Hubs::Spine::between(fan_of(h), fan_of({h.solid, h.slot, spine.to})));
+  return Hubs::spines_among(std::move(all), 1);
+}
+
+void CommonHubs::find_lines() {
+  const std::vector<Hubs::Spine> spines = spines_between_places();
+  if (spines.empty()) return;
+  Geometry geometry;
+  std::vector<PointId> points;
+  for (const Hub& h : order_) points.push_back(load_point(block(h).geometry(), point(h), geometry));
+  lines_ = SpineLines(Kernel(geometry), points, spines);
+  for (const Hub& h : order_)
+    if (const std::uint32_t line = lines_.of_point(fan_of(h)); line != SpineLines::none)
+      fan_of(h) = static_cast<std::uint32_t>(order_.size()) + line;
 }
 
 bool CommonHubs::are_at_one_place(const Hub& g, const Hub& h) const {
   return same_point(block(g).geometry(), point(g), block(h).geometry(), point(h));
 }
 
-// Calls visit(fan of a, fan of b, rounded place).
+std::vector<Box> CommonHubs::boxes(const Hub& h, std::uint32_t fan) const {
+  const Brep& brep = block(h).brep();
+  const Geometry& geometry = block(h).geometry();
+  const Hubs& of_block = hubs(h.solid, h.slot);
+  const auto faces = of_block.faces(h.number);
+  if (fan < order_.size()) return direction_boxes(brep, geometry, point(h), faces);
+  std::vector<PointId> known;  // on the line
+  for (std::uint32_t i = 0; i < of_block.size(); ++i)
+    if (fan_of({h.solid, h.slot, i}) == fan) known.push_back(of_block.point(i));
+  std::vector<Box> boxes;
+  std::vector<Vec3> on_line, beside;
+  for (const FaceId f : faces) {
+    on_line.clear();
+    beside.clear();
+    for_each_in_loop(brep, brep.outer_loop[f], [&](HalfEdgeId e) {
+      const PointId p = brep.point_of(brep.from(e));
+      (std::ranges::find(known, p) != known.end() ? on_line : beside)
+          .push_back(geometry.position(p));
+    });
+    boxes.push_back(lines_[fan - static_cast<std::uint32_t>(order_.size())].box(on_line, beside));
+  }
+  return boxes;
+}
+
+// Calls visit(CommonFan) for what both solids have.
 template <class Visit>
-void CommonHubs::for_each_place(const Visit& visit) const {
+void CommonHubs::for_each_fan(const Visit& visit) const {
   for (std::size_t from = 0, to; from < order_.size(); from = to) {
-    PerOperand<Fan> fan;
-    for (to = from; to < order_.size() && place_of(order_[to]) == place_of(order_[from]); ++to) {
+    CommonFan common;
+    const std::uint32_t fan = fan_of(order_[from]);
+    for (to = from; to < order_.size() && fan_of(order_[to]) == fan; ++to) {
       const Hub& h = order_[to];
-      const auto faces = hubs(h.solid, h.slot).faces(h.number);
-      Fan& mine = fan[h.solid];
-      for (const FaceId f : faces) mine.faces.push_back(data_[h.solid]->face(h.slot, f));
-      append(mine.directions,
-             direction_boxes(block(h).brep(), block(h).geometry(), point(h), faces));
+      Fan& mine = common.of[h.solid];
+      for (const FaceId f : hubs(h.solid, h.slot).faces(h.number))
+        mine.faces.push_back(data_[h.solid]->face(h.slot, f));
+      append(mine.boxes, boxes(h, fan));
+      if (common.places.empty() || !(common.places.back() == position(h)))
+        common.places.push_back(position(h));
     }
-    if (!fan[Operand::a].faces.empty() && !fan[Operand::b].faces.empty())
-      visit(fan[Operand::a], fan[Operand::b], position(order_[from]));
+    if (fan >= order_.size())
+      common.line = &lines_[fan - static_cast<std::uint32_t>(order_.size())];
+    if (!common.of[Operand::a].faces.empty() && !common.of[Operand::b].faces.empty()) visit(common);
   }
 }
 
 void CommonHubs::add_pairs(FacePairs& pairs) const {
-  for_each_place([&](const Fan& a, const Fan& b, const Vec3&) {
-    BoxTree::overlaps(BoxTree(a.directions), BoxTree(b.directions),
-                      [&](std::uint32_t i, std::uint32_t j) {
-                        pairs.push_back({a.faces[i], b.faces[j]});
-                      });
+  for_each_fan([&](const CommonFan& fan) {
+    const Fan &a = fan.of[Operand::a], &b = fan.of[Operand::b];
+    BoxTree::overlaps(BoxTree(a.boxes), BoxTree(b.boxes), [&](std::uint32_t i, std::uint32_t j) {
+      pairs.push_back({a.faces[i], b.faces[j]});
+    });
   });
 }
 
 PerOperand<std::vector<FaceId>> CommonHubs::faces() const {
   PerOperand<std::vector<FaceId>> faces;
-  for_each_place([&](const Fan& a, const Fan& b, const Vec3&) {
-    append(faces[Operand::a], a.faces);
-    append(faces[Operand::b], b.faces);
+  for_each_fan([&](const CommonFan& fan) {
+    for (const Operand s : both_operands) append(faces[s], fan.of[s].faces);
   });
   return faces;
 }
 
-namespace {
-
-std::vector<VertexId> vertices_at(const Workspace& w, Operand s, std::span<const FaceId> fan,
-                                  const Vec3& place) {
-  const Patch& patch = w.patch[s];
-  std::vector<VertexId> vertices;
-  for (const FaceId f : fan)
-    for_each_in_face(patch.brep, loaded_face(patch, f), [&](HalfEdgeId h) {
-      const VertexId v = patch.brep.from(h);
-      if (w.geometry.position(patch.brep.point_of(v)) == place) vertices.push_back(v);
-    });
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
-}
-
-// One of the vertices for each point at the rounded place: as a rule, there is one point.
-std::vector<VertexId> choose_tested(const Workspace& w, Patch& patch,
-                                    std::span<const VertexId> vertices) {
-  std::vector<VertexId> tested;
-  for (const VertexId v : vertices) {
-    const auto at = std::ranges::find_if(tested, [&](VertexId t) {
-      return w.tests().same_point(patch.brep.point_of(t), patch.brep.point_of(v));
-    });
-    if (at == tested.end()) {
-      tested.push_back(v);
-      continue;
-    }
-    if (patch.tested.empty())
-      for (const VertexId each : patch.brep.vertices()) patch.tested.add(each);
-    patch.tested[v] = *at;
-  }
-  return tested;
-}
-
-// Does a face have an edge with the point between its ends?
-bool passes_through(const Workspace& w, Operand s, FaceId face, PointId point) {
-  const Patch& patch = w.patch[s];
-  const Vec3& at = w.geometry.position(point);
-  bool passes = false;
-  for_each_in_face(patch.brep, face, [&](HalfEdgeId h) {
-    const PointId from = patch.brep.point_of(patch.brep.from(h)),
-                  to = patch.brep.point_of(patch.brep.to(h));
-    Bounds near;
-    near.add(w.geometry.position(from));
-    near.add(w.geometry.position(to));
-    if (passes || !near.contains(at)) return;
-    const auto [a, b] = line_planes(patch, h);
-    passes = w.tests().side(point, a) == Sign::zero && w.tests().side(point, b) == Sign::zero &&
-             w.tests().is_between(from, point, to);
-  });
-  return passes;
-}
-
-// Of the vertices of one fan of operand s with faces of the other one: add(owner, face).
-template <class Add>
-void add_pairs_of_owners(Workspace& w, Operand s, std::span<const FaceId> mine,
-                         std::span<const FaceId> across, const Vec3& place, const Add& add) {
-  Patch& patch = w.patch[s];
-  const std::vector<VertexId> vertices = vertices_at(w, s, mine, place);
-  for (const VertexId tested : choose_tested(w, patch, vertices)) {
-    for (const FaceId f : across) {
-      const FaceId face = loaded_face(w.patch[other(s)], f);
-      add(patch.owner(tested), face);
-      if (!passes_through(w, other(s), face, patch.brep.point_of(tested))) continue;
-      for (const VertexId v : vertices)
-        if (patch.tested_for(v) == tested) add(patch.owner(v), face);
-    }
-  }
-}
-
-}  // namespace
-
 void CommonHubs::add_pairs_of_owners(Workspace& w, FacePairs& pairs) const {
-  for_each_place([&](const Fan& a, const Fan& b, const Vec3& place) {
-    sectile::add_pairs_of_owners(w, Operand::a, a.faces, b.faces, place, [&](FaceId f, FaceId g) {
-      pairs.push_back({f, g});
-    });
-    sectile::add_pairs_of_owners(w, Operand::b, b.faces, a.faces, place, [&](FaceId g, FaceId f) {
-      pairs.push_back({f, g});
-    });
+  for_each_fan([&](const CommonFan& fan) {
+    append(pairs, pairs_of_owners(w, Operand::a, fan));
+    for (const auto& [g, f] : pairs_of_owners(w, Operand::b, fan)) pairs.push_back({f, g});
   });
 }
 

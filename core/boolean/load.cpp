@@ -138,7 +138,7 @@ FacePairs near_pairs(const Workspace& w, const SolidData& a, const SolidData& b,
                 out.push_back({a.face(s, FaceId(f)), b.face(t, FaceId(g))});
               },
               [&, s = s, t = t](std::uint32_t hub, std::uint32_t across) {
-                return !hubs.empty() && hubs.are_at_one_place(s, hub, t, across);
+                return !hubs.empty() && hubs.are_of_one_fan(s, hub, t, across);
               });
       }));
 }

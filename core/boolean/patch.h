@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "boolean/operand.h"
+#include "boolean/tested.h"
 #include "numbers/table.h"
 #include "search/outline_tree.h"
 #include "storage/solid_data.h"
@@ -43,9 +44,7 @@ struct Patch {
   std::vector<std::unique_ptr<const Outline>> outlines;
   std::vector<Box> face_boxes;
 
-  /// Per loaded vertex: the one that is tested for all in its place. Empty if each is tested
-  /// itself.
-  Table<VertexId, VertexId> tested;
+  Tested tested;
 
   std::size_t loaded_faces = 0, loaded_edges = 0, loaded_vertices = 0;
   bool whole = false;  ///< all faces of the operand are loaded
@@ -74,8 +73,6 @@ struct Patch {
     return is_real(f) ? f : brep.face_of(Brep::half_edge(e, 1));
   }
   FaceId owner(VertexId v) const { return brep.face_of(brep.vertex_half_edge[v]); }
-  /// Where very many vertices are in one place, one of them is tested against the faces there.
-  VertexId tested_for(VertexId v) const { return tested.empty() ? v : tested[v]; }
 };
 
 /// Loads the given faces (ascending) of a solid; its points and planes are added to `geometry`.

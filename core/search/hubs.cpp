@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "numbers/rounding.h"
+#include "search/directions.h"
 
 namespace sectile {
 namespace {
@@ -19,53 +20,12 @@ double largest(const Vec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-using rounding::unit;
-
-// A length within these bounds has a square that is a normal double.
-constexpr double least_length = 0x1p-500, greatest_length = 0x1p500;
-
-// Collects directions. With an angle of at most 60 degrees between any two of them, every direction
-// between them is near the box of their unit vectors. The bounds of rounding errors only make the
-// box wider; what boxes do not separate is tested exactly.
-class Directions {
- public:
-  explicit Directions(const Vec3& centre) : centre_(centre) {}
-
-  void add(const Vec3& p) {
-    const Vec3 d{p.x - centre_.x, p.y - centre_.y, p.z - centre_.z};
-    const double length = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
-    if (!(length > least_length && length < greatest_length)) {
-      known_ = false;
-      return;
-    }
-    bounds_.add({d.x / length, d.y / length, d.z / length});
-    // On each axis two rounded positions and their difference: 2 u (|p| + |c|). That makes less
-    // than 4 u (|p| + |c|) for the vector, and twice its share of the length for the direction.
-    error_ = std::max(error_, 8 * unit * (largest(p) + largest(centre_)) / length);
-  }
-
-  Box box() const {
-    if (!known_) return Box::everything();
-    const Vec3 size{bounds_.high.x - bounds_.low.x, bounds_.high.y - bounds_.low.y,
-                    bounds_.high.z - bounds_.low.z};
-    const double spread = size.x * size.x + size.y * size.y + size.z * size.z + 8 * error_;
-    if (!(spread <= 1)) return Box::everything();
-    // A sum of unit vectors that are `sqrt(spread)` apart at most, with weights that add up to one,
-    // is longer than sqrt(1 - spread / 2), and that than 1 - spread / 2. Square root, quotients and
-    // these sums are rounded less than 16 times.
-    const double margin = spread / 2 + 2 * error_ + 16 * unit;
-    Bounds wider;
-    wider.add({bounds_.low.x - margin, bounds_.low.y - margin, bounds_.low.z - margin});
-    wider.add({bounds_.high.x + margin, bounds_.high.y + margin, bounds_.high.z + margin});
-    return wider.box();
-  }
-
- private:
-  Vec3 centre_;
-  Bounds bounds_;
-  double error_ = 0;
-  bool known_ = true;
-};
+// On each axis two rounded positions and their difference: 2 u (|p| + |c|). That makes less than
+// 4 u (|p| + |c|) for the vector.
+void add_direction(const Vec3& centre, const Vec3& p, Directions& to) {
+  to.add({p.x - centre.x, p.y - centre.y, p.z - centre.z},
+         4 * rounding::unit * (largest(p) + largest(centre)));
+}
 
 }  // namespace
 
@@ -80,6 +40,7 @@ Hubs::Hubs(const Brep& brep) {
     points_.push_back(PointId(p));
   }
   if (points_.empty()) return;
+  find_spines(brep, hub_at);
   of_face_.assign(brep.face_count(), none);
   face_end_.assign(points_.size(), 0);
   for (std::size_t f = 0; f < of_face_.size(); ++f) {
@@ -103,9 +64,31 @@ Hubs::Hubs(const Brep& brep) {
     if (of_face_[f] != none) faces_[face_end_[of_face_[f]]++] = FaceId(f);
 }
 
+void Hubs::find_spines(const Brep& brep, const std::vector<std::uint32_t>& hub_at) {
+  if (points_.size() < 2) return;
+  std::vector<Spine> all;
+  for (const EdgeId e : brep.edges()) {
+    const HalfEdgeId h = Brep::half_edge(e);
+    const auto hub = [&](VertexId v) { return hub_at[brep.point_of(v).value()]; };
+    const std::uint32_t from = hub(brep.from(h)), to = hub(brep.to(h));
+    if (from != none && to != none && from != to) all.push_back(Spine::between(from, to));
+  }
+  spines_ = spines_among(std::move(all), least_faces / 2);
+}
+
+std::vector<Hubs::Spine> Hubs::spines_among(std::vector<Spine> edges, std::uint32_t least) {
+  std::sort(edges.begin(), edges.end());
+  std::vector<Spine> spines;
+  for (auto first = edges.begin(), last = first; first != edges.end(); first = last) {
+    last = std::upper_bound(first, edges.end(), *first);
+    if (last - first >= least) spines.push_back(*first);
+  }
+  return spines;
+}
+
 Box direction_box(const Vec3& hub, std::span<const Vec3> points) {
-  Directions directions(hub);
-  for (const Vec3& p : points) directions.add(p);
+  Directions directions;
+  for (const Vec3& p : points) add_direction(hub, p, directions);
   return directions.box();
 }
 
@@ -114,10 +97,10 @@ std::vector<Box> direction_boxes(const Brep& brep, const Geometry& geometry, Poi
   std::vector<Box> boxes;
   boxes.reserve(faces.size());
   for (const FaceId f : faces) {
-    Directions directions(geometry.position(hub));
+    Directions directions;
     for_each_in_loop(brep, brep.outer_loop[f], [&](HalfEdgeId h) {
       const PointId p = brep.point_of(brep.from(h));
-      if (p != hub) directions.add(geometry.position(p));
+      if (p != hub) add_direction(geometry.position(hub), geometry.position(p), directions);
     });
     boxes.push_back(directions.box());
   }

@@ -1,7 +1,8 @@
 // Hubs: points in which very many faces of a solid meet (the apex of a fine cone).
 //
 // Around a hub all boxes overlap, so boxes say nothing about which faces of two fans meet. What
-// tells is the direction in which each face leaves the hub.
+// tells is the direction in which each face leaves the hub. Where very many edges run between two
+// hubs (the back of a book of thin walls), walls leave their line in different directions.
 #pragma once
 
 #include <span>
@@ -18,6 +19,17 @@ class Hubs {
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
   static constexpr std::uint32_t least_faces = 16;  ///< half of a small block
 
+  /// The line between two hubs along which many edges run.
+  struct Spine {
+    std::uint32_t from, to;  ///< hubs, ascending
+    friend auto operator<=>(const Spine&, const Spine&) = default;
+    static Spine between(std::uint32_t g, std::uint32_t h) {
+      return {std::min(g, h), std::max(g, h)};
+    }
+  };
+  /// Those between which there are so many edges.
+  static std::vector<Spine> spines_among(std::vector<Spine> edges, std::uint32_t least);
+
   Hubs() = default;
   explicit Hubs(const Brep& brep);
 
@@ -31,11 +43,15 @@ class Hubs {
   }
   /// Per face: its hub, or none. Empty if there are no hubs.
   const std::vector<std::uint32_t>& of_face() const { return of_face_; }
+  std::span<const Spine> spines() const { return spines_; }
 
  private:
+  void find_spines(const Brep& brep, const std::vector<std::uint32_t>& hub_at);
+
   std::vector<PointId> points_;
   std::vector<std::uint32_t> of_face_, face_end_;
   std::vector<FaceId> faces_;
+  std::vector<Spine> spines_;
 };
 
 /// A box around the directions (unit vectors) in which what these points span is seen from a hub.

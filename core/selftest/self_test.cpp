@@ -10,6 +10,7 @@
 #include "parallel/scratch.h"
 #include "search/hub_fans.h"
 #include "sectile/errors.h"
+#include "selftest/edges_on_line.h"
 #include "selftest/flat_block.h"
 #include "selftest/flat_patches.h"
 #include "selftest/node_labels.h"
@@ -42,7 +43,8 @@ class Traversal {
         slanted_(surface, kernel.geometry(), tree_),
         faces_(tree_, labels_of_faces()),
         geometry_(kernel.geometry()),
-        hubs_(tree_.order(), surface.size(), geometry_.positions.size(), CornersOf{surface_}),
+        kernel_(kernel),
+        hubs_(fans_around_hubs()),
         fans_(tree_, hubs_.of_polygon()),
         settled_(tree_, labels_of_settled()),
         pairs_(surface, kernel) {}
@@ -61,12 +63,9 @@ class Traversal {
       });
       note_step(steps);
     });
-    parallel::loop(0, hubs_.count(), [&](std::size_t hub) {
+    parallel::loop(0, hubs_.count(), [&](std::size_t fan) {
       check_cancelled();
-      found_.lend([&](Found& found) {
-        hubs_.for_each_pair(hub, geometry_, CornersOf{surface_},
-                            [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); });
-      });
+      found_.lend([&](Found& found) { test_fan(fan, found); });
       note_step(steps);
     });
     parallel::loop(0, patch_pairs_.count(), [&](std::size_t patch) {
@@ -170,6 +169,21 @@ class Traversal {
       enough_.store(true, std::memory_order_relaxed);
   }
 
+  HubFans fans_around_hubs() const {
+    HubFans fans(tree_.order(), surface_.size(), geometry_.positions.size(), CornersOf{surface_});
+    fans.join_along_spines(kernel_, CornersOf{surface_});
+    return fans;
+  }
+
+  // What leaves a spine in different directions meets in edges on it only.
+  void test_fan(std::size_t fan, Found& found) const {
+    const auto test_pair = [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); };
+    hubs_.for_each_pair(fan, geometry_, CornersOf{surface_}, test_pair);
+    if (!hubs_.is_along_spine(fan)) return;
+    if (!EdgesOnLine(surface_, kernel_, hubs_.polygons(fan), hubs_.points(fan)).alternate())
+      hubs_.for_each_other_pair(fan, geometry_, CornersOf{surface_}, test_pair);
+  }
+
   // Two faces that lie on each other do so in very many slivers.
   void test_pairs_of_patch(std::size_t patch, Found& found) const {
     const bool once = control_.overlaps_once && !each_face_is_a_triangle();
@@ -215,6 +229,7 @@ class Traversal {
   SlantedNodes slanted_;
   NodeLabels faces_;
   const Geometry& geometry_;
+  const Kernel& kernel_;
   HubFans hubs_;
   NodeLabels fans_, settled_;
   TrianglePairs pairs_;

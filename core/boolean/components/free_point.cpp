@@ -19,6 +19,11 @@ FreePoints::FreePoints(Workspace& w, const Contacts& contacts, Operand operand)
     if (mine.is_vertex()) vertex_in_contact_[mine.vertex()] = 1;
     if (mine.is_edge()) edge_in_contact_[mine.edge()] = 1;
   }
+  if (!patch_.tested.any()) return;
+  for (const VertexId v : vertex_in_contact_.ids())
+    vertex_in_contact_[v] |= vertex_in_contact_[patch_.tested(v)];
+  for (const EdgeId e : edge_in_contact_.ids())
+    edge_in_contact_[e] |= edge_in_contact_[patch_.tested(e)];
 }
 
 PointId FreePoints::on_shell_of(FaceId start) {

@@ -63,6 +63,10 @@ void find_places(Workspace& w, ContactId first, Contacts& found) {
     for (const Operand s : both_operands)
       if (contact.on[s].is_vertex())
         w.patch[s].brep.point[contact.on[s].vertex()] = found.places[contact.place];
+  for (Patch& patch : w.patch)
+    if (patch.tested.any())
+      for (const VertexId v : patch.brep.vertices())
+        patch.brep.point[v] = patch.brep.point[patch.tested(v)];
 }
 
 }  // namespace sectile

@@ -48,7 +48,8 @@ class EdgeNodes {
   /// Of more than a few on an edge, those with a face of few corners, its edges and its vertices;
   /// else as near().
   std::span<const ContactId> with(FaceId face, EdgeId e, std::vector<ContactId>& found) const {
-    const Brep& across = w_.patch[other(solid_)].brep;
+    const Patch& patch = w_.patch[other(solid_)];
+    const Brep& across = patch.brep;
     std::vector<std::uint32_t> at;
     const auto add = [&](Entity entity) {
       for (const Across& node :
@@ -59,6 +60,7 @@ class EdgeNodes {
     for_each_in_face(across, face, [&](HalfEdgeId h) {
       add(Brep::edge_of(h));
       add(across.from(h));
+      add(patch.tested(across.from(h)));
     });
     std::sort(at.begin(), at.end());
     at.erase(std::unique(at.begin(), at.end()), at.end());
@@ -202,10 +204,10 @@ class CrossingFaces {
       if (i.from == Sign::zero && i.to == Sign::zero) scratch_.edges_on_line.push_back({s, i.h});
       if (i.from == Sign::zero) {
         const VertexId v = patch.brep.from(i.h);
-        add(s, v, table_.find(s, patch.tested_for(v), pair_.face[other(s)]), i.h);
+        add(s, v, table_.find(s, patch.tested(v), pair_.face[other(s)]), i.h);
       } else {
         const EdgeId e = Brep::edge_of(i.h);
-        add(s, e, table_.find(s, e, pair_.face[other(s)]), i.h);
+        add(s, e, table_.find(s, patch.tested(e), pair_.face[other(s)]), i.h);
       }
     }
   }
@@ -370,14 +372,15 @@ class EdgeInPlane {
   // Other faces' contacts divide the edge, too, but that can be made up for: where the edge is one
   // of many in one place, each has contacts with all the others.
   std::span<const ContactId> contacts_on(const InPlane& pair, const Box& near) {
-    const std::span<const ContactId> nodes = nodes_.near(pair.edge, near);
+    const EdgeId tested = w_.patch[s_].tested(pair.edge);
+    const std::span<const ContactId> nodes = nodes_.near(tested, near);
     const bool many =
         nodes.size() > EdgeNodes::few_nodes && !w_.patch[other(s_)].outline(pair.face);
-    return many ? nodes_.with(pair.face, pair.edge, of_face_) : nodes;
+    return many ? nodes_.with(pair.face, tested, of_face_) : nodes;
   }
 
   void add_end(const InPlane& pair, VertexId v) {
-    const std::span<const Hit> hits = table_.find(s_, w_.patch[s_].tested_for(v), pair.face);
+    const std::span<const Hit> hits = table_.find(s_, w_.patch[s_].tested(v), pair.face);
     if (hits.empty()) return;
     begin_node(found_.contacts[hits[0].contact].place, v);
     for (const Hit& hit : hits) add(places_[used_ - 1], pair.face, hit.found);
@@ -393,10 +396,23 @@ class EdgeInPlane {
   }
 
   void add(Node& node, FaceId face, Entity entity) {
+    const Patch& across = w_.patch[other(s_)];
     if (entity == Entity(face)) node.inside = true;
-    add_items(w_.patch[other(s_)], face, entity, node.items);
+    if (entity.is_vertex() && across.tested.any())
+      add_corners_at(node, face, across.tested(entity.vertex()));
+    else
+      add_items(across, face, entity, node.items);
     std::sort(node.items.begin(), node.items.end());
     node.items.erase(std::unique(node.items.begin(), node.items.end()), node.items.end());
+  }
+
+  // The face's corners in the place of a vertex that was tested for them.
+  void add_corners_at(Node& node, FaceId face, VertexId tested) {
+    const Patch& across = w_.patch[other(s_)];
+    for_each_in_face(across.brep, face, [&](HalfEdgeId h) {
+      const VertexId v = across.brep.from(h);
+      if (across.tested(v) == tested) node.items.push_back({v, h});
+    });
   }
 
   // An edge of the face that does not end in a node bounds the face there too, even if the face
