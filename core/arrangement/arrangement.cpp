@@ -76,6 +76,18 @@ std::vector<Solid> not_empty(std::span<const Solid> solids) {
   return result;
 }
 
+// Those whose boxes overlap that of a solid.
+std::vector<Solid> near(const Solid& solid, std::span<const Solid> others) {
+  if (solid.is_empty()) return {};
+  const Box& box = solid.data()->slot_tree().bounds();
+  std::vector<Solid> result = not_empty(others);
+  result.erase(
+      std::remove_if(result.begin(), result.end(),
+                     [&](const Solid& s) { return !s.data()->slot_tree().bounds().overlaps(box); }),
+      result.end());
+  return result;
+}
+
 Steering steering_of(const ArrangementOptions& options) {
   return {options.cancel, options.progress};
 }
@@ -87,24 +99,16 @@ Solid unite(std::span<const Solid> solids, const ArrangementOptions& options) {
 }
 
 Solid intersect(std::span<const Solid> solids, const ArrangementOptions& options) {
-  const std::vector<Solid> all = not_empty(solids);
-  if (all.size() < solids.size()) return Solid();
+  std::vector<Solid> all = not_empty(solids);
+  if (all.size() < solids.size()) all.clear();
   return combine(all, Operation::intersect, steering_of(options));
 }
 
 Solid subtract(const Solid& solid, std::span<const Solid> others,
                const ArrangementOptions& options) {
-  if (solid.is_empty()) return Solid();
-  const Box& box = solid.data()->slot_tree().bounds();
-  std::vector<Solid> near = not_empty(others);
-  near.erase(
-      std::remove_if(near.begin(), near.end(),
-                     [&](const Solid& s) { return !s.data()->slot_tree().bounds().overlaps(box); }),
-      near.end());
-  if (near.empty()) return solid;
   Steering steering = steering_of(options);
   if (options.progress) steering.progress = [&](double done) { options.progress(0.9 * done); };
-  const Solid all = combine(near, Operation::unite, steering);
+  const Solid all = combine(near(solid, others), Operation::unite, steering);
   BooleanOptions how;
   how.cancel = options.cancel;
   if (options.progress) how.progress = [&](double done) { options.progress(0.9 + 0.1 * done); };

@@ -70,9 +70,9 @@ std::vector<Solid> in_order(const std::vector<Solid>& solids) {
 }  // namespace
 
 Solid combine(const std::vector<Solid>& solids, Operation operation, const Steering& steering) {
-  if (solids.empty()) return Solid();
   const std::vector<Solid> sorted = solids.size() > 2 ? in_order(solids) : solids;
-  Solid result = BooleanTree(operation, solids.size(), steering).run(sorted);
+  Solid result;
+  if (!sorted.empty()) result = BooleanTree(operation, sorted.size(), steering).run(sorted);
   steering.step(1);
   return result;
 }

@@ -2,6 +2,7 @@
 #include "boolean/boolean.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "boolean/check_links.h"
 #include "boolean/cleanup/cleanup.h"
@@ -103,14 +104,18 @@ Solid assemble(Workspace& w, const CutBoundaries& boundaries, const FaceLabels& 
   const std::vector<WedgePair>& wedges = neighborhoods.wedges[number];
   if (w.options.observer) report_components(w, kept, operation);
 
-  step(w, 0.7);
+  // Several results share what is left after the cut.
+  const auto assembled = [&, parts = double(neighborhoods.wedges.size())](double done) {
+    step(w, 0.6 + 0.4 * ((double(number) + done) / parts));
+  };
+  assembled(0.25);
   Glued glued = glue(w, operation, neighborhoods, wedges, joined, kept);
   if (w.options.observer) report_gluing(w, contacts, neighborhoods, wedges);
 
-  step(w, 0.9);
+  assembled(0.75);
   Solid result = solid_of(w, std::move(glued));
   if (w.options.observer) report_cleanup(w, result);
-  step(w, 1.0);
+  assembled(1);
   return result;
 }
 
@@ -129,18 +134,27 @@ bool are_the_same(const SolidData& a, const SolidData& b, const BooleanOptions& 
          have_same_faces(a, b, options.cancel);
 }
 
-}  // namespace
-
-Solid boolean(const Solid& a, const Solid& b, Operation operation, const BooleanOptions& options) {
+// The result, if nothing has to be cut.
+std::optional<Solid> without_cutting(const Solid& a, const Solid& b, Operation operation,
+                                     const BooleanOptions& options) {
   if (a.is_empty() || b.is_empty()) {
     if (operation == Operation::intersect) return Solid();
     if (operation == Operation::unite && a.is_empty()) return b;
     return a;
   }
-  // Nothing has to be cut, but whoever follows the phases sees how it would be.
+  // Whoever follows the phases sees how it would be.
   if (!options.observer && are_the_same(operand(a, options), operand(b, options), options))
     return operation == Operation::subtract ? Solid() : a;
-  return boolean_by_cutting(a, b, operation, options);
+  return {};
+}
+
+}  // namespace
+
+Solid boolean(const Solid& a, const Solid& b, Operation operation, const BooleanOptions& options) {
+  std::optional<Solid> known = without_cutting(a, b, operation, options);
+  if (!known) return boolean_by_cutting(a, b, operation, options);
+  if (options.progress) options.progress(1);
+  return *std::move(known);
 }
 
 Solid boolean_by_cutting(const Solid& a, const Solid& b, Operation operation,

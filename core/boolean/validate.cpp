@@ -27,7 +27,6 @@ class Validator {
     if (geometry && found_.empty()) check_against_itself();
     check_cancelled();
     if (geometry && found_.empty()) check_nesting();
-    if (options_.progress) options_.progress(1);
     return std::move(found_);
   }
 
@@ -107,8 +106,10 @@ std::vector<Violation> validate(const Solid& solid, bool geometry) {
 }
 
 std::vector<Violation> validate(const Solid& solid, const ValidationOptions& options) {
-  if (solid.is_empty()) return {};
-  return Validator(*solid.data(), options).run();
+  std::vector<Violation> found;
+  if (!solid.is_empty()) found = Validator(*solid.data(), options).run();
+  if (options.progress) options.progress(1);
+  return found;
 }
 
 }  // namespace sectile

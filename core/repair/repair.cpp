@@ -32,8 +32,14 @@ class Repairer {
         balance_(options.rule == Rule::odd ? Balance::parity : Balance::oriented) {}
 
   Solid run() {
+    Solid solid = repaired();
+    steering_.step(1);
+    return solid;
+  }
+
+ private:
+  Solid repaired() {
     report_ = {};
-    const std::size_t faces = mesh_.face_sizes.size();
     origin_ = new_origin();
     const LargeMesh large = resolve_large_mesh(
         {mesh_.positions, {}, mesh_.face_sizes, mesh_.indices}, options_.rule, origin_, steering_);
@@ -44,9 +50,11 @@ class Repairer {
     std::vector<std::uint32_t> mate = match_plain_edges(polygons_, *kernel_);
     if (mate.empty()) close();
     steering_.step(0.1);
+    const std::size_t count = polygons_.face_count();
+    const Vec3 where = count > 0 ? corner(0) : Vec3();
     if (find_planes() || mate.empty()) mate = match_plain_edges(polygons_, *kernel_);
     if (polygons_.face_count() == 0) {
-      note(Kind::removed_faces, faces, Vec3(), no_element);
+      note(Kind::removed_faces, count, where, no_element);  // without those told of already
       return Solid();
     }
     steering_.step(0.15);
@@ -63,7 +71,6 @@ class Repairer {
     return arranged();
   }
 
- private:
   // What is done again in another way is not told again.
   static std::function<void(double)> rising(const std::function<void(double)>& progress) {
     if (!progress) return {};

@@ -4,6 +4,7 @@
 #include "import/diagnosis.h"
 #include "rounding/plain_rounding.h"
 #include "rounding/rounding_attempt.h"
+#include "rounding/rounding_steps.h"
 #include "sectile/rounding.h"
 
 namespace sectile {
@@ -64,7 +65,10 @@ RoundedMesh round_until_legal(std::shared_ptr<const SolidData> data, const Round
 }  // namespace
 
 RoundedMesh rounded_mesh(const Solid& solid, const Rounding& rounding) {
-  if (solid.is_empty()) return {};
+  if (solid.is_empty()) {
+    RoundingSteps(rounding).finish();
+    return {};
+  }
   return round_until_legal(solid.data(), rounding);
 }
 

@@ -69,7 +69,10 @@ std::pair<Solid, Solid> split(const Solid& solid, const HalfSpace& half_space) {
 std::pair<Solid, Solid> split(const Solid& solid, const HalfSpace& half_space,
                               const BooleanOptions& options) {
   check(half_space);
-  if (solid.is_empty()) return {};
+  if (solid.is_empty()) {
+    if (options.progress) options.progress(1);
+    return {};
+  }
   Workspace w(options);
   FacePairs pairs;
   load(w, operand(solid, options), half_space, new_origin(), pairs);

@@ -95,5 +95,51 @@ TEST(Cancel, StopsImports) {
   }
 }
 
+// What is told of the progress rises, and ends at 1.
+template <class Options, class Work>
+void expect_progress_to_end(Options options, const Work& work) {
+  double last = 0;
+  options.progress = [&](double done) {
+    EXPECT_GE(done, last);
+    last = done;
+  };
+  work(options);
+  EXPECT_EQ(last, 1);
+}
+
+TEST(Progress, OfASplitRisesWhileBothPartsAreMade) {
+  const HalfSpace half_space{1, 0.3, 0.2, 0.1};
+  expect_progress_to_end(BooleanOptions{}, [&](const BooleanOptions& options) {
+    split(block({-1, -1, -1}, {1, 1, 1}), half_space, options);
+  });
+}
+
+TEST(Progress, EndsAtOneWhereNothingIsLeftToDo) {
+  const Solid none, a = block({0, 0, 0}, {1, 1, 1}), far = block({5, 5, 5}, {6, 6, 6});
+  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract})
+    for (const auto& [left, right] : {std::pair(none, a), std::pair(a, none), std::pair(a, a)})
+      expect_progress_to_end(BooleanOptions{}, [&](const BooleanOptions& options) {
+        boolean(left, right, operation, options);
+      });
+  expect_progress_to_end(BooleanOptions{},
+                         [&](const BooleanOptions& options) { split(none, {}, options); });
+  const Solid solids[] = {a, none}, others[] = {far};
+  expect_progress_to_end(ArrangementOptions{}, [&](const ArrangementOptions& options) {
+    unite(std::span(&none, 1), options);
+  });
+  expect_progress_to_end(ArrangementOptions{},
+                         [&](const ArrangementOptions& options) { intersect(solids, options); });
+  for (const Solid& from : {none, a})
+    expect_progress_to_end(ArrangementOptions{}, [&](const ArrangementOptions& options) {
+      EXPECT_EQ(subtract(from, others, options), from);
+    });
+  expect_progress_to_end(ValidationOptions{},
+                         [&](const ValidationOptions& options) { validate(none, options); });
+  expect_progress_to_end(Rounding{}, [&](const Rounding& options) { rounded_mesh(none, options); });
+  expect_progress_to_end(RepairOptions{}, [&](const RepairOptions& options) {
+    repair(PolygonMesh{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {3}, {0, 1, 2}}, options);
+  });
+}
+
 }  // namespace
 }  // namespace sectile

@@ -469,6 +469,15 @@ TEST(RepairCases, ACavityThatTouchesAFaceFromWithinIsNoShellOfItsOwn) {
   EXPECT_EQ(repaired.counts().edges, cut.counts().edges);
 }
 
+TEST(RepairCases, WhatHasNoAreaIsToldOfOnce) {
+  RepairReport report;
+  const PolygonMesh flat{{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}}, {3, 3}, {0, 1, 2, 0, 2, 1}};
+  EXPECT_TRUE(repair(flat, {}, &report).is_empty());
+  ASSERT_EQ(report.changes.size(), 1u);
+  EXPECT_EQ(report.changes[0].kind, Kind::removed_flat);
+  EXPECT_EQ(report.changes[0].count, 2u);
+}
+
 TEST(RepairCases, CanBeCancelled) {
   const std::atomic<bool> cancel{true};
   RepairOptions options;
