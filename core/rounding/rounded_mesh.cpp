@@ -1,4 +1,3 @@
-#include <string>
 #include <utility>
 
 #include "import/diagnosis.h"
@@ -13,7 +12,7 @@ namespace {
 void bound_displacement(const RoundingReport& report, const Rounding& options) {
   if (report.largest_move <= options.max_move) return;
   throw RoundingFailed("the corner at " + in_words(report.largest_at) + " would move by " +
-                           std::to_string(report.largest_move) +
+                           in_words(report.largest_move) +
                            ", farther than is allowed; allow more, or use finer numbers",
                        report.largest_at);
 }

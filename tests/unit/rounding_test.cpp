@@ -131,6 +131,20 @@ TEST(Rounding, BoundsTheDisplacement) {
   EXPECT_THROW(rounded_mesh(sphere(10, 24, 12), rounding), RoundingFailed);
 }
 
+// However little that is.
+TEST(Rounding, SaysHowFarACornerWouldMove) {
+  Rounding rounding = to(Numbers::floats);
+  rounding.max_move = 0;
+  try {
+    rounded_mesh(block({0, 0, 0}, {1, 1, 0x1p-30 + 0x1p-60}), rounding);
+    FAIL();
+  } catch (const RoundingFailed& error) {
+    EXPECT_NE(std::string(error.what()).find("would move by 8.673617379884035e-19"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 // Everything moves by steps only, and what does not touch stays.
 void expect_manifold(const Solid& solid, std::size_t least_separated) {
   for (const Numbers numbers : {Numbers::doubles, Numbers::floats, Numbers::grid}) {
