@@ -85,6 +85,11 @@ void LocalChanges::for_each_near(std::uint32_t triangle, const Visit& visit) con
     if (t != triangle && rounded_.alive[t] != 0 && box_[t].overlaps(own)) visit(t);
 }
 
+bool LocalChanges::meet(std::uint32_t s, std::uint32_t t) const {
+  ++tested_pairs_;
+  return pairs_.test(std::min(s, t), std::max(s, t)).has_value();
+}
+
 std::size_t LocalChanges::faults(std::span<const std::uint32_t> triangles, std::size_t most) const {
   std::size_t count = 0;
   for (const std::uint32_t t : triangles) {
@@ -97,7 +102,7 @@ std::size_t LocalChanges::faults(std::span<const std::uint32_t> triangles, std::
     for_each_near(t, [&](std::uint32_t other) {
       const bool both = std::binary_search(triangles.begin(), triangles.end(), other);
       if (count >= most || (both && other < t)) return;
-      if (pairs_.test(std::min(t, other), std::max(t, other))) ++count;
+      if (meet(t, other)) ++count;
     });
   }
   return count;
@@ -107,7 +112,7 @@ std::vector<std::uint32_t> LocalChanges::opponents(std::uint32_t triangle) const
   std::vector<std::uint32_t> found;
   if (rounded_.surface.ignored[triangle] != 0) return found;
   for_each_near(triangle, [&](std::uint32_t other) {
-    if (pairs_.test(std::min(triangle, other), std::max(triangle, other))) found.push_back(other);
+    if (meet(triangle, other)) found.push_back(other);
   });
   std::sort(found.begin(), found.end());
   return found;

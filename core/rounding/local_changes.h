@@ -2,6 +2,7 @@
 // the other diagonal. What they make better or worse is counted exactly.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <unordered_map>
@@ -24,6 +25,9 @@ class LocalChanges {
   std::size_t faults(std::span<const std::uint32_t> triangles, std::size_t most = no_limit) const;
   /// Those with which a triangle meets as it must not.
   std::vector<std::uint32_t> opponents(std::uint32_t triangle) const;
+
+  /// How many pairs of triangles were tested so far: what all of it costs.
+  std::uint64_t tested_pairs() const { return tested_pairs_; }
 
   /// One change at a time, to be kept or undone. False if there is no such change, or it concerns
   /// fixed vertices.
@@ -66,6 +70,7 @@ class LocalChanges {
   void sort_wedges(std::uint32_t from, std::uint32_t to, std::vector<Side>& forward,
                    std::vector<Side>& backward) const;
   bool is_flat(std::uint32_t triangle) const;
+  bool meet(std::uint32_t s, std::uint32_t t) const;
   template <class Visit>
   void for_each_near(std::uint32_t triangle, const Visit& visit) const;
   Box make_box(std::uint32_t triangle) const;
@@ -85,6 +90,7 @@ class LocalChanges {
   std::uint32_t moved_vertex_ = 0;
   PointId moved_from_;
   std::size_t before_ = 0, recent_before_ = 0;
+  mutable std::uint64_t tested_pairs_ = 0;
   // What is wrong around vertices, until a change is kept.
   std::unordered_map<std::uint32_t, std::size_t> before_at_;
 };

@@ -15,6 +15,10 @@ namespace {
 constexpr double greatest_reach = 4;
 // Of all that meets a triangle, so many are looked at for a change that helps.
 constexpr std::size_t most_opponents = 4;
+// Where triangles lie pell-mell within a few steps, each change helps a little, and thousands are
+// tried for each that does. A coarser grid is better then. What can be mended nearby takes fewer
+// tests of pairs than this, which grows with the number of triangles that are faulty at first.
+constexpr std::uint64_t tests_per_triangle = 0x2000, tests_at_least = 0x20000;
 
 Vec3 minus(const Vec3& a, const Vec3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
@@ -75,9 +79,9 @@ std::vector<std::uint32_t> faulty_triangles(RoundedSurface& rounded, const Kerne
 
 std::vector<std::uint32_t> RoundingRepair::run(std::vector<std::uint32_t> faulty) {
   unite_places(faulty);
+  most_tested_ = changes_.tested_pairs() + tests_at_least + tests_per_triangle * faulty.size();
   double reach = 1;
   while (!faulty.empty()) {
-    if (options_.cancel && options_.cancel->load(std::memory_order_relaxed)) throw Cancelled();
     bool better = false;
     std::vector<std::uint32_t> left;
     for (const std::uint32_t t : faulty) {
@@ -92,7 +96,7 @@ std::vector<std::uint32_t> RoundingRepair::run(std::vector<std::uint32_t> faulty
     left.erase(std::unique(left.begin(), left.end()), left.end());
     faulty = std::move(left);
     if (!better) reach *= 2;
-    if (reach > greatest_reach) break;
+    if (reach > greatest_reach || is_hopeless()) break;
   }
   return faulty;
 }
@@ -142,6 +146,7 @@ std::vector<std::uint32_t> RoundingRepair::vertices_near(std::uint32_t triangle)
 
 // Keeps a change that leaves less wrong.
 bool RoundingRepair::accept() {
+  if (options_.cancel && options_.cancel->load(std::memory_order_relaxed)) throw Cancelled();
   if (changes_.is_better()) {
     changes_.keep();
     return true;
@@ -151,6 +156,7 @@ bool RoundingRepair::accept() {
 }
 
 bool RoundingRepair::improve(std::uint32_t triangle, double reach) {
+  if (is_hopeless()) return false;
   if (try_flips(triangle, reach)) return true;
   const std::vector<std::uint32_t> vertices = vertices_near(triangle);
   for (const std::uint32_t other : changes_.opponents(triangle))

@@ -29,7 +29,7 @@ class RoundingRepair {
   }
 
   /// Changes what is near these triangles until nothing is wrong with them. Returns those for which
-  /// no change nearby helps.
+  /// no change nearby helps, or none that is found with reasonable effort.
   std::vector<std::uint32_t> run(std::vector<std::uint32_t> faulty);
 
   /// The vertex to which a vertex was joined, at last.
@@ -64,6 +64,7 @@ class RoundingRepair {
   bool try_merges(const std::vector<std::uint32_t>& vertices, double reach);
   bool try_moves(const std::vector<std::uint32_t>& vertices, double reach);
   bool accept();
+  bool is_hopeless() const { return changes_.tested_pairs() > most_tested_; }
   std::vector<std::uint32_t> vertices_near(std::uint32_t triangle) const;
   double distance(std::uint32_t vertex, const Vec3& to) const;
   bool may_go(std::uint32_t vertex, const Vec3& to) const;
@@ -74,6 +75,7 @@ class RoundingRepair {
   const Rounding& options_;
   std::vector<std::uint32_t> gone_to_;
   std::size_t merged_ = 0, flipped_ = 0;
+  std::uint64_t most_tested_ = 0;  // pairs of triangles
   double widest_flip_ = 0;
   Vec3 widest_flip_at_;
 };

@@ -171,6 +171,26 @@ Solid two_cubes(const Vec3& low) {
                  Operation::unite);
 }
 
+// Five of them in each other, as thin as two steps: corners go to a grid of four steps, and are not
+// pushed around among each other for long before.
+TEST(Rounding, NeedlesPellMellGoToACoarserGrid) {
+  std::mt19937 random(1);
+  const auto corner = [&] {
+    const double x = random() * 0x1p-32, y = random() * 0x1p-32, z = random() * 0x1p-32;
+    return Vec3{1000 * x, 2 * y, 2 * z};
+  };
+  Solid needles;
+  for (int i = 0; i < 5; ++i) {
+    const Vec3 a = corner(), b = corner(), c = corner(), d = corner();
+    const Solid needle = tetrahedron(a, b, c, d);
+    needles = boolean(boolean(needles, needle, Operation::subtract),
+                      boolean(needle, needles, Operation::subtract), Operation::unite);
+  }
+  const RoundedMesh rounded = expect_legal(needles, to(Numbers::grid, 1));
+  EXPECT_EQ(rounded.report.resolved, 1u);
+  EXPECT_LT(rounded.report.largest_move, 2 + 4 * std::sqrt(3) / 2);  // one to each grid
+}
+
 TEST(SeparateTouching, CubesWithACommonCorner) {
   const Solid cubes = two_cubes({1, 1, 1});
   EXPECT_NE(manifold_fault(rounded_mesh(cubes).mesh), "");
