@@ -17,14 +17,11 @@ void bound_displacement(const RoundingReport& report, const Rounding& options) {
                        report.largest_at);
 }
 
-[[noreturn]] void refuse_cramped(const Vec3& where) {
-  throw RoundingFailed("there is no room to separate what touches at " + in_words(where), where);
-}
-
 // Where changes nearby do not help, the corners there go to a coarser grid, and what they bound
 // then is rounded anew. Each grid is coarser and reaches farther than the last, until all corners
 // are at one place: so it ends. Where there is no room near by to separate what touches, what is
-// thinner than a step may be in the way: that vanishes first, and nothing that is thicker.
+// thinner than a step may be in the way: that vanishes first, and nothing that is thicker. If that
+// is not enough, a coarser grid makes room.
 RoundedMesh round_until_legal(std::shared_ptr<const SolidData> data, const Rounding& options) {
   const RoundingGrid grid(options);
   RoundingSteps steps(options);
@@ -36,19 +33,17 @@ RoundedMesh round_until_legal(std::shared_ptr<const SolidData> data, const Round
     }
   RoundedMesh result;
   Displacement moved;
-  constexpr double near_by = 64, far = 0x1p20;
   bool was_cramped = false;
   for (double coarseness = 1;;) {
     RoundingAttempt attempt(*data, grid, options, moved, steps);
     if (result.report.corners == 0) result.report.corners = attempt.corners();
-    if (attempt.run(was_cramped ? far : near_by)) {
+    if (attempt.run()) {
       attempt.take(result);
       break;
     }
-    const bool is_cramped = attempt.cramped_at().has_value();
-    if (is_cramped && std::exchange(was_cramped, true)) refuse_cramped(*attempt.cramped_at());
     Displacement farther;
-    data = attempt.coarser(is_cramped ? 1 : coarseness *= 4, farther);
+    const bool on_its_grid = attempt.is_cramped() && !std::exchange(was_cramped, true);
+    data = attempt.coarser(on_its_grid ? 1 : coarseness *= 4, farther);
     moved = std::move(farther);
     ++result.report.resolved;
     result.report.largest_move = moved.largest();

@@ -49,7 +49,7 @@ RoundingRepair& RoundingAttempt::repair() {
   return *repair_;
 }
 
-bool RoundingAttempt::run(double separation_reach) {
+bool RoundingAttempt::run() {
   if (rounded_.anything_moved()) {
     // Each change leaves fewer vertices, or as many and less that is wrong.
     for (auto faulty = faulty_triangles(rounded_, kernel_, steps_.part(0.5)); !faulty.empty();
@@ -58,7 +58,7 @@ bool RoundingAttempt::run(double separation_reach) {
       if (!stuck_.empty()) return false;
     }
   }
-  if (options_.separate_touching && !separate(separation_reach)) return false;
+  if (options_.separate_touching && !separate()) return false;
   make_mesh();
   if ((!rounded_.anything_moved() && separated_ == 0) || triangle_.empty()) return true;
   const std::uint32_t wrong = wrong_shell();
@@ -68,17 +68,16 @@ bool RoundingAttempt::run(double separation_reach) {
   return false;
 }
 
-bool RoundingAttempt::separate(double separation_reach) {
-  const auto [moved, cramped] =
-      Separation(rounded_, kernel_, grid_).run(options_, separation_reach);
+bool RoundingAttempt::separate() {
+  const auto [moved, cramped] = Separation(rounded_, kernel_, grid_).run(options_);
   separated_ = moved;
   if (cramped.empty()) return true;
-  cramped_at_ = rounded_.position(cramped.front());
-  std::vector<std::uint8_t> is_cramped(rounded_.point.size(), 0);
-  for (const std::uint32_t v : cramped) is_cramped[v] = 1;
+  is_cramped_ = true;
+  std::vector<std::uint8_t> touches(rounded_.point.size(), 0);
+  for (const std::uint32_t v : cramped) touches[v] = 1;
   for (std::uint32_t t = 0; t < rounded_.corners.size(); ++t) {
     const RoundedSurface::Corners& c = rounded_.corners[t];
-    if (rounded_.alive[t] != 0 && (is_cramped[c[0]] | is_cramped[c[1]] | is_cramped[c[2]]) != 0)
+    if (rounded_.alive[t] != 0 && (touches[c[0]] | touches[c[1]] | touches[c[2]]) != 0)
       stuck_.push_back(t);
   }
   return false;

@@ -21,11 +21,10 @@ class RoundingAttempt {
   /// Of the solid.
   std::size_t corners() const { return rounded_.point.size(); }
 
-  /// False if something is left that no change nearby can mend. To separate what touches, corners
-  /// move by about `separation_reach` steps at most.
-  bool run(double separation_reach);
-  /// After run() failed: a place where parts touch that are to be separated, and there is no room.
-  const std::optional<Vec3>& cramped_at() const { return cramped_at_; }
+  /// False if something is left that no change nearby can mend.
+  bool run();
+  /// After run() failed: is it for want of room to separate what touches?
+  bool is_cramped() const { return is_cramped_; }
 
   /// After run() succeeded; the report adds to what `result` has already.
   void take(RoundedMesh& result);
@@ -36,7 +35,7 @@ class RoundingAttempt {
 
  private:
   RoundingRepair& repair();
-  bool separate(double separation_reach);
+  bool separate();
   void make_mesh();
   std::uint32_t wrong_shell() const;
   bool is_one_shell() const;
@@ -53,7 +52,7 @@ class RoundingAttempt {
   std::optional<RoundingRepair> repair_;
   std::vector<std::uint32_t> stuck_;  // triangles
   bool shell_is_wrong_ = false;
-  std::optional<Vec3> cramped_at_;
+  bool is_cramped_ = false;
   std::size_t separated_ = 0;
   PolygonMesh mesh_;
   std::vector<FaceSource> sources_;

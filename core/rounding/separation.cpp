@@ -10,6 +10,9 @@
 namespace sectile {
 namespace {
 
+// So many steps a vertex may go, before a coarser grid is better.
+constexpr double greatest_reach = 64;
+
 std::size_t next(std::size_t k) {
   return k < 2 ? k + 1 : 0;
 }
@@ -25,7 +28,7 @@ Vec3 middle_of(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-Separation::Result Separation::run(const Rounding& options, double greatest_reach) {
+Separation::Result Separation::run(const Rounding& options) {
   find_fans();
   give_fans_vertices();
   divide_pinched_edges();
@@ -44,10 +47,11 @@ Separation::Result Separation::run(const Rounding& options, double greatest_reac
     rounded_.surface.ignored[t] = rounded_.alive[t] == 0;
   LocalChanges changes(rounded_, kernel_);
   for (double reach = 1; !waiting.empty() && reach <= greatest_reach; reach *= 2) {
-    if (options.cancel && options.cancel->load(std::memory_order_relaxed)) throw Cancelled();
     std::vector<std::uint32_t> left;
-    for (const std::uint32_t v : waiting)
+    for (const std::uint32_t v : waiting) {
+      if (options.cancel && options.cancel->load(std::memory_order_relaxed)) throw Cancelled();
       if (!move_apart(changes, v, reach)) left.push_back(v);
+    }
     waiting = std::move(left);
   }
   return {moved_, std::move(waiting)};

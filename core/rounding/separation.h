@@ -27,8 +27,7 @@ class Separation {
     std::size_t moved = 0;               ///< vertices
     std::vector<std::uint32_t> cramped;  ///< vertices that touch others still: there is no room
   };
-  /// No vertex is moved by more than about `greatest_reach` steps.
-  Result run(const Rounding& options, double greatest_reach);
+  Result run(const Rounding& options);
 
  private:
   struct Edge {
