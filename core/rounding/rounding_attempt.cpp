@@ -16,10 +16,6 @@ namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFu;
 
-double snap(double value, double spacing) {
-  return std::isfinite(spacing) ? std::nearbyint(value / spacing) * spacing : 0;
-}
-
 // The least box of a triangle, and those around it.
 struct Surroundings {
   Vec3 low, high;
@@ -216,9 +212,10 @@ std::shared_ptr<const SolidData> RoundingAttempt::coarser(double coarseness, Dis
   TriangleSoup soup;
   for (std::uint32_t v = 0; v < rounded_.point.size(); ++v) {
     const Vec3& p = rounded_.position(v);
-    soup.positions.push_back(
-        near[v] != 0 ? grid_.nearest({snap(p.x, spacing), snap(p.y, spacing), snap(p.z, spacing)})
-                     : p);
+    soup.positions.push_back(near[v] != 0 ? grid_.nearest({nearest_multiple(p.x, spacing),
+                                                           nearest_multiple(p.y, spacing),
+                                                           nearest_multiple(p.z, spacing)})
+                                          : p);
   }
   for (std::uint32_t v = 0; v < rounded_.point.size(); ++v) {
     const Vec3& to = soup.positions[repair_ ? repair_->gone_to(v) : v];

@@ -11,6 +11,13 @@ Rounding::Numbers numbers_of(FileFormat format) {
   return floats ? Rounding::Numbers::floats : Rounding::Numbers::doubles;
 }
 
+double nearest_multiple(double value, double spacing) {
+  if (!std::isfinite(spacing)) return 0;
+  // Where multiples are as near to each other as doubles, each double is the nearest to one.
+  const double steps = value / spacing;
+  return std::abs(steps) < 0x1p53 ? std::nearbyint(steps) * spacing : value;
+}
+
 RoundingGrid::RoundingGrid(const Rounding& rounding)
     : numbers_(rounding.numbers), spacing_(rounding.spacing) {
   if (numbers_ == Rounding::Numbers::grid && !(spacing_ > 0 && std::isfinite(spacing_)))
@@ -22,7 +29,7 @@ double RoundingGrid::nearest(double value) const {
     case Rounding::Numbers::floats:
       return static_cast<double>(static_cast<float>(value));
     case Rounding::Numbers::grid:
-      return std::nearbyint(value / spacing_) * spacing_;
+      return nearest_multiple(value, spacing_);
     case Rounding::Numbers::doubles:
       break;
   }

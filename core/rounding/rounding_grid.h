@@ -6,6 +6,9 @@
 
 namespace sectile {
 
+/// The multiple of a spacing nearest to a value, as the nearest double.
+double nearest_multiple(double value, double spacing);
+
 class RoundingGrid {
  public:
   /// Throws Error if the spacing is no positive number.

@@ -125,6 +125,17 @@ TEST(Rounding, CoarseGrids) {
   }
 }
 
+// All doubles of that size are nearest to a multiple.
+TEST(Rounding, GridsFinerThanDoublesMoveNothing) {
+  for (const auto& [size, spacing] : {std::pair(1e17 / 3, 0.3), std::pair(1e300, 1e-300)}) {
+    SCOPED_TRACE(size);
+    Rounding rounding = to(Numbers::grid, spacing);
+    rounding.max_move = 0;
+    const Solid cube = block({0, 0, 0}, {size, size, size});
+    EXPECT_EQ(Solid::from_mesh(rounded_mesh(cube, rounding).mesh), cube);
+  }
+}
+
 TEST(Rounding, BoundsTheDisplacement) {
   Rounding rounding = to(Numbers::grid, 0.5);
   rounding.max_move = 1e-3;
