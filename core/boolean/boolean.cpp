@@ -50,10 +50,16 @@ Solid solid_of(const Workspace& w, Glued glued) {
     w.kernel->refresh();  // gluing added points and planes
     share_points(glued.brep, w.tests());
   }
-  clean_up(glued.brep, w.geometry, glued.seams);
+  std::vector<FaceId> with_kept_loops;
+  for (const KeptLoops& kept : glued.kept_loops) with_kept_loops.push_back(kept.face);
+  clean_up(glued.brep, w.geometry, glued.seams, with_kept_loops);
+  for (std::size_t i = 0; i < with_kept_loops.size(); ++i)
+    glued.kept_loops[i].face = with_kept_loops[i];
   const bool touches = !glued.shared.slots.empty() && operands_touch_themselves(w);
-  Solid solid(splice(std::move(glued.shared),
-                     {std::move(glued.brep), w.geometry, std::move(glued.outside)}, touches));
+  Solid solid(splice(
+      std::move(glued.shared),
+      {std::move(glued.brep), w.geometry, std::move(glued.outside), std::move(glued.kept_loops)},
+      touches));
   if (w.options.validate)
     if (const auto found = broken_links(solid.data()->brep(), false); !found.empty())
       throw InternalError("the result is not legal: " + found.front());
@@ -162,10 +168,10 @@ Solid boolean_by_cutting(const Solid& a, const Solid& b, Operation operation,
   try {
     Workspace w(options);
     FacePairs pairs;
+    const Operation wanted[] = {operation};
     load(w, operand(a, options),
          operation == Operation::subtract ? reversible(operand(b, options)) : operand(b, options),
-         pairs);
-    const Operation wanted[] = {operation};
+         pairs, {wanted});
     return assemble(w, cut(w, pairs, {wanted}), operation, 0);
   } catch (const InternalError& error) {
     throw InternalError(std::string(error.what()) + "; " + save_operands(a, b));

@@ -18,7 +18,9 @@ inline BooleanOptions without_observer(BooleanOptions options) {
 Solid boolean_by_cutting(const Solid& a, const Solid& b, Operation operation,
                          const BooleanOptions& options);
 /// Loads the faces that may meet; `pairs` are pairs of loaded faces, ascending.
-void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs);
+/// What `wanted` says will be made of them, and nothing else.
+void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs,
+          const Wanted& wanted = {});
 /// Both operands are one solid, of which nothing but the faces in some of its slots can be loaded.
 void load_slots(Workspace& w, const SolidData& solid, std::span<const std::uint32_t> slots,
                 FacePairs& pairs);

@@ -5,6 +5,7 @@
 #include "boolean/collect.h"
 #include "boolean/common_hubs.h"
 #include "boolean/equal_planes.h"
+#include "boolean/tables.h"
 #include "storage/near_faces.h"
 
 namespace sectile {
@@ -143,26 +144,64 @@ FacePairs near_pairs(const Workspace& w, const SolidData& a, const SolidData& b,
       }));
 }
 
+// Are loops that are not loaded known to stay as they are?
+bool may_leave_loops(const Workspace& w, Operand s, const Slot& slot, const Wanted& wanted) {
+  return !w.options.observer && !wanted.operations.empty() &&
+         std::ranges::all_of(wanted.operations,
+                             [&](Operation o) { return reversed(o, s) == slot.turned; }) &&
+         may_have_far_loops(slot);
+}
+
+// Of one solid, by the pairs of its faces, `loaded`, with those of the other one.
+std::vector<FarLoops> far_loops(const Workspace& w, Operand s,
+                                const PerOperand<const SolidData*>& of, const SlotPairs& slots,
+                                const FacePairs& pairs, const std::vector<FaceId>& loaded,
+                                const Wanted& wanted) {
+  const SolidData &mine = *of[s], &across = *of[other(s)];
+  const auto may_leave = [&](std::uint32_t slot) {
+    return may_leave_loops(w, s, mine.slot(slot), wanted);
+  };
+  if (std::ranges::none_of(slots.slots(s), may_leave)) return {};
+  std::vector<FaceAndBox> near;
+  for (const auto& [f, g] : pairs) {
+    const FaceId face = s == Operand::a ? f : g, beyond = s == Operand::a ? g : f;
+    if (!may_leave(mine.slot_of(face))) continue;
+    const std::uint32_t slot = across.slot_of(beyond);
+    const Block& block = *across.slot(slot).block;
+    near.push_back({face, face_box(block.brep(), block.geometry(), across.local(slot, beyond))});
+  }
+  return find_far_loops(mine, loaded, std::move(near));
+}
+
+struct ToLoad {
+  std::vector<FaceId> faces;
+  std::vector<FarLoops> far_loops;
+
+  Patch from(const SolidData& solid, Geometry& geometry, std::size_t more_edges = 0) {
+    return load_patch(solid, faces, geometry, more_edges, std::move(far_loops));
+  }
+};
+
 // Large ones beside each other, with geometries of their own at first.
-void load_patches(Workspace& w, const SolidData& a, const std::vector<FaceId>& of_a,
-                  const SolidData& b, const std::vector<FaceId>& of_b, std::size_t pairs) {
+void load_patches(Workspace& w, const SolidData& a, ToLoad of_a, const SolidData& b, ToLoad of_b,
+                  std::size_t pairs) {
   constexpr std::size_t few = 500;
   Patch &patch_a = w.patch[Operand::a], &patch_b = w.patch[Operand::b];
-  if (of_a.size() < few || of_b.size() < few) {
+  if (of_a.faces.size() < few || of_b.faces.size() < few) {
     // The two faces of a pair are cut once, as a rule: five new edges in each, with both ends.
     const std::size_t more_edges = 5 * std::min(pairs, few);
-    patch_a = load_patch(a, of_a, w.geometry, more_edges);
-    patch_b = load_patch(b, of_b, w.geometry, more_edges);
+    patch_a = of_a.from(a, w.geometry, more_edges);
+    patch_b = of_b.from(b, w.geometry, more_edges);
     return;
   }
   Geometry geometry_of_b;
-  parallel::invoke([&] { patch_a = load_patch(a, of_a, w.geometry); },
-                   [&] { patch_b = load_patch(b, of_b, geometry_of_b); });
+  parallel::invoke([&] { patch_a = of_a.from(a, w.geometry); },
+                   [&] { patch_b = of_b.from(b, geometry_of_b); });
   move_to_end(patch_b, geometry_of_b, w.geometry);
 }
 
 void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs& slots,
-          FacePairs& pairs) {
+          FacePairs& pairs, const Wanted& wanted) {
   make_trees(w, a, slots.slots(Operand::a));
   make_trees(w, b, slots.slots(Operand::b));
   const CommonHubs hubs(a, b, {{slots.slots(Operand::a), slots.slots(Operand::b)}});
@@ -176,7 +215,13 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
   const PerOperand<std::vector<FaceId>> at_hubs = hubs.faces();
   for (const FaceId f : at_hubs[Operand::a]) of_a.mark(f);
   for (const FaceId g : at_hubs[Operand::b]) of_b.mark(g);
-  load_patches(w, a, of_a.marked(), b, of_b.marked(), pairs.size());
+  ToLoad to_load_of_a{of_a.marked(), {}}, to_load_of_b{of_b.marked(), {}};
+  if (hubs.empty()) {  // what meets there is in no pair yet
+    const PerOperand<const SolidData*> of{{&a, &b}};
+    to_load_of_a.far_loops = far_loops(w, Operand::a, of, slots, pairs, to_load_of_a.faces, wanted);
+    to_load_of_b.far_loops = far_loops(w, Operand::b, of, slots, pairs, to_load_of_b.faces, wanted);
+  }
+  load_patches(w, a, std::move(to_load_of_a), b, std::move(to_load_of_b), pairs.size());
   w.kernel = std::make_unique<Kernel>(w.geometry);
   for (auto& [f, g] : pairs) {
     f = of_a.loaded_face(w.patch[Operand::a], f);
@@ -190,13 +235,14 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
 
 }  // namespace
 
-void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs) {
-  load(w, a, b, SlotPairs(a, b), pairs);
+void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs,
+          const Wanted& wanted) {
+  load(w, a, b, SlotPairs(a, b), pairs, wanted);
 }
 
 void load_slots(Workspace& w, const SolidData& solid, std::span<const std::uint32_t> slots,
                 FacePairs& pairs) {
-  load(w, solid, solid, SlotPairs(solid, slots), pairs);
+  load(w, solid, solid, SlotPairs(solid, slots), pairs, {});
 }
 
 }  // namespace sectile

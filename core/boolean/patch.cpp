@@ -1,5 +1,7 @@
 #include "boolean/patch.h"
 
+#include <algorithm>
+
 #include "boolean/side_by_side.h"
 #include "geometry/kernel.h"
 #include "search/id_map.h"
@@ -35,13 +37,20 @@ Patch load_whole(const SolidData& solid, Geometry& geometry, std::size_t more_ed
 class PartLoader {
  public:
   PartLoader(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry,
-             std::size_t more_edges)
+             std::size_t more_edges, std::vector<FarLoops> far_loops)
       : solid_(solid),
         to_(geometry),
-        edges_(expected_edges(solid, faces)),
+        edges_(expected_edges(solid, faces, far_loops)),
         loaders_(solid.slots().size()) {
-    patch_.reserve(expected_edges(solid, faces) + more_edges);
-    for (const FaceId f : faces) load_face(f);
+    patch_.reserve(expected_edges(solid, faces, far_loops) + more_edges);
+    patch_.far_loops = std::move(far_loops);
+    auto far = patch_.far_loops.begin();
+    for (const FaceId f : faces) {
+      if (far == patch_.far_loops.end() || far->face != f)
+        load_face(f, nullptr);
+      else
+        load_face(f, &*far++);
+    }
     close_ends();
     make_vertices();
   }
@@ -56,12 +65,14 @@ class PartLoader {
   };
 
   // As if each had the average of its block.
-  static std::size_t expected_edges(const SolidData& solid, const std::vector<FaceId>& faces) {
+  static std::size_t expected_edges(const SolidData& solid, const std::vector<FaceId>& faces,
+                                    const std::vector<FarLoops>& far_loops) {
     std::size_t edges = 0;
     for (const FaceId f : faces) {
       const Slot& slot = solid.slot(solid.slot_of(f));
       edges += slot.half_edges / slot.faces;
     }
+    for (const FarLoops& far : far_loops) edges -= far.corners;
     return edges;
   }
 
@@ -128,16 +139,21 @@ class PartLoader {
     return loop;
   }
 
-  void load_face(FaceId f) {
+  void load_face(FaceId f, FarLoops* far) {
     const std::uint32_t slot = solid_.slot_of(f);
     const Slot& from = solid_.slot(slot);
     const Brep& brep = from.block->brep();
     const FaceId there = solid_.local(slot, f);
-    GeometryLoader& loader = geometry(slot, from.half_edges / 2);
+    GeometryLoader& loader = geometry(slot, from.half_edges / 2 - (far ? far->corners : 0));
     const FaceId mine = add_face(loader.plane(brep.plane[there], from.turned), brep.source[there]);
     patch_.face_in_solid.push_back(f);
+    if (far) {
+      far->face = mine;
+      far->lie_in(mine);
+    }
     LoopId last;
     for (LoopId l = brep.outer_loop[there]; l.valid(); l = brep.next_loop[l]) {
+      if (far && far->has(l)) continue;
       const LoopId loop = add_loop(mine, last);
       Brep& to = patch_.brep;
       HalfEdgeId before;
@@ -206,10 +222,10 @@ class PartLoader {
 }  // namespace
 
 Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry,
-                 std::size_t more_edges) {
+                 std::size_t more_edges, std::vector<FarLoops> far_loops) {
   Patch patch = solid.is_whole() && 2 * faces.size() >= solid.face_count()
                     ? load_whole(solid, geometry, more_edges)
-                    : PartLoader(solid, faces, geometry, more_edges).take();
+                    : PartLoader(solid, faces, geometry, more_edges, std::move(far_loops)).take();
   patch.solid = &solid;
   patch.loaded_faces = patch.face_in_solid.size();
   patch.loaded_edges = patch.brep.edge_count();
@@ -227,6 +243,29 @@ void Patch::reserve(std::size_t more_edges) {
   brep.reserve(more_edges, more_edges, more_edges);
   side_plane.reserve(side_plane.size() + 2 * more_edges);
   root.reserve(root.size() + more_edges);
+}
+
+namespace {
+
+template <class Id>
+const FarLoops* found(const std::vector<FarLoops>& all, Id id, Id FarLoops::*key) {
+  const auto at = std::ranges::lower_bound(all, id, {}, key);
+  return at == all.end() || (*at).*key != id ? nullptr : &*at;
+}
+
+}  // namespace
+
+const FarLoops* Patch::far_loops_of(FaceId loaded) const {
+  return found(far_loops, loaded, &FarLoops::face);
+}
+
+const FarLoops* Patch::far_loops_in(std::uint32_t slot) const {
+  return found(far_loops, slot, &FarLoops::slot);
+}
+
+FaceId Patch::part_of_far(std::uint32_t slot, HalfEdgeId h) const {
+  const FarLoops* far = far_loops_in(slot);
+  return far ? far->part[solid->slot(slot).block->brep().loop_of(h)] : FaceId();
 }
 
 PointId load_point(const Geometry& from, PointId point, Geometry& to) {

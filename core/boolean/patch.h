@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "boolean/far_loops.h"
 #include "boolean/operand.h"
 #include "boolean/tested.h"
 #include "numbers/table.h"
@@ -44,6 +45,9 @@ struct Patch {
   std::vector<std::unique_ptr<const Outline>> outlines;
   std::vector<Box> face_boxes;
 
+  /// In the order of their faces and slots.
+  std::vector<FarLoops> far_loops;
+
   Tested tested;
 
   std::size_t loaded_faces = 0, loaded_edges = 0, loaded_vertices = 0;
@@ -73,12 +77,17 @@ struct Patch {
     return is_real(f) ? f : brep.face_of(Brep::half_edge(e, 1));
   }
   FaceId owner(VertexId v) const { return brep.face_of(brep.vertex_half_edge[v]); }
+  /// Those of a loaded face, or of the face in a slot; none if there are none.
+  const FarLoops* far_loops_of(FaceId loaded) const;
+  const FarLoops* far_loops_in(std::uint32_t slot) const;
+  /// The part of a face to which a half-edge of a far loop belongs; none if it is no such.
+  FaceId part_of_far(std::uint32_t slot, HalfEdgeId h) const;
 };
 
-/// Loads the given faces (ascending) of a solid; its points and planes are added to `geometry`.
-/// There is room for so many more edges.
+/// Loads the given faces (ascending) of a solid, without their far loops; its points and planes are
+/// added to `geometry`. There is room for so many more edges.
 Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry,
-                 std::size_t more_edges = 0);
+                 std::size_t more_edges = 0, std::vector<FarLoops> far_loops = {});
 /// Appends the geometry of a patch to another one, of which the patch's is a part then.
 void move_to_end(Patch& patch, const Geometry& own, Geometry& geometry);
 

@@ -123,6 +123,10 @@ void Block::set_touching_vertices(std::vector<VertexId> vertices) {
   touching_once_.run([&] { touching_vertices_ = std::move(vertices); });
 }
 
+void Block::set_bounds(const Box& bounds) {
+  bounds_once_.run([&] { bounds_ = bounds; });
+}
+
 const Box& Block::bounds() const {
   once_alone(bounds_once_, [this] {
     Bounds bounds;

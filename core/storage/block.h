@@ -59,6 +59,7 @@ class Block {
   std::size_t vertex_count() const;
 
   void set_touching_vertices(std::vector<VertexId> vertices);
+  void set_bounds(const Box& bounds);
 
   bool is_border(EdgeId e) const { return e.value() < border_count; }
   bool is_border(HalfEdgeId h) const { return h.value() < 2 * border_count; }

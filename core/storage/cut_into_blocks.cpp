@@ -1,5 +1,6 @@
 #include "storage/cut_into_blocks.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "parallel/parallel.h"
@@ -18,7 +19,9 @@ constexpr std::uint32_t none = 0xFFFFFFFFu;
 // Faces in the order of a curve that fills space, in groups.
 class Groups {
  public:
-  explicit Groups(const PartToCut& part) : part_(part), of_face_(part.brep.face_count(), none) {
+  explicit Groups(const PartToCut& part)
+      : part_(part), is_alone_(part.brep.face_count()), of_face_(part.brep.face_count(), none) {
+    for (const FaceId f : part.alone) is_alone_[f.value()] = true;
     const std::vector<std::uint64_t> keys = keys_in_order();
     for (std::size_t from = 0, to; from < keys.size(); from = to) {
       for (to = from + 1; to < keys.size() && shell(face(keys[to])) == shell(face(keys[from]));)
@@ -56,7 +59,7 @@ class Groups {
       std::size_t corners = 0;
       for (; from < end; ++from) {
         const FaceId f(face(keys[from]));
-        const std::size_t more = corners_of(f);
+        const std::size_t more = room_for(f);
         if (corners > 0 && corners + more > corners_of_a_block) {
           close();
           corners = 0;
@@ -67,6 +70,13 @@ class Groups {
       }
       close();
     }
+  }
+  // In corners: all of a block for a face that is alone.
+  std::size_t room_for(FaceId f) const {
+    const std::size_t corners = corners_of(f);
+    return is_alone_[f.value()] || corners >= corners_of_a_large_face
+               ? std::max(corners, corners_of_a_block)
+               : corners;
   }
   void close() { end_.push_back(static_cast<std::uint32_t>(faces_.size())); }
 
@@ -105,6 +115,7 @@ class Groups {
   bool is_real(std::size_t f) const { return part_.brep.kind_of(FaceId(f)) == FaceKind::real; }
 
   const PartToCut& part_;
+  std::vector<bool> is_alone_;
   std::vector<FaceId> faces_;
   std::vector<std::uint32_t> end_ = {0}, of_face_;
 };
@@ -118,7 +129,7 @@ class Cutter {
         touching_(touching_vertices(part.brep)),
         links_(groups_.count()),
         local_(brep_.half_edge_count()),
-        made_{{}, std::vector<BorderEdge>(part.outside.size())} {
+        made_{{}, std::vector<BorderEdge>(part.outside.size()), {}} {
     blocks_.reserve(groups_.count());
     for (std::size_t g = 0; g < groups_.count(); ++g)
       blocks_.emplace_back(brep_, part.geometry, groups_[g], touching_, local_);
@@ -132,6 +143,7 @@ class Cutter {
     for_each_group([&](std::size_t g) { add_links(g); });
     for (std::size_t g = 0; g < blocks_.size(); ++g)
       made_.slots.push_back({blocks_[g].block(), std::move(links_[g])});
+    for (const FaceId f : part_.alone) made_.alone.push_back(part_.places(groups_.of(f)));
     return std::move(made_);
   }
 

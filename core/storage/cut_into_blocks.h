@@ -10,10 +10,13 @@ namespace sectile {
 
 #ifdef SECTILE_SMALL_BLOCKS  // for tests: even a cube is in several blocks
 inline constexpr std::size_t most_faces_of_a_block = 4, faces_of_a_block = 3, few_faces = 2;
+inline constexpr std::size_t corners_of_a_large_face = 6;
 #else
 /// A boundary of up to so many faces stays in one block; a larger one is cut into blocks of so
-/// many; blocks of few faces are made anew with others that are, lest blocks become many.
+/// many; blocks of few small faces are made anew with others that are, lest blocks become many.
 inline constexpr std::size_t most_faces_of_a_block = 256, faces_of_a_block = 192, few_faces = 32;
+/// Where a boundary is cut, a face of so many corners is alone in its block.
+inline constexpr std::size_t corners_of_a_large_face = 512;
 #endif
 
 /// A border edge of the block in a slot, and the piece of the block to which it belongs.
@@ -41,11 +44,14 @@ struct PartToCut {
   /// Per face: blocks have faces of one shell only, and those of shell 0 come first, then those of
   /// shell 1 … Empty: blocks may have faces of any.
   std::span<const std::uint32_t> shell = {};
+  /// Faces that are alone in their blocks, however few corners they have.
+  std::span<const FaceId> alone = {};
 };
 
 struct CutPart {
-  std::vector<Slot> slots;          ///< the i-th for places(i)
-  std::vector<BorderEdge> outside;  ///< per edge that leaves the part: where it is now
+  std::vector<Slot> slots;           ///< the i-th for places(i)
+  std::vector<BorderEdge> outside;   ///< per edge that leaves the part: where it is now
+  std::vector<std::uint32_t> alone;  ///< per face that was to be alone: the number of its slot
 };
 
 CutPart cut_into_blocks(const PartToCut& part);

@@ -56,6 +56,10 @@ PlaneId GeometryLoader::plane(PlaneId s, bool turned) {
   return copied;
 }
 
+void GeometryLoader::set_plane(PlaneId from, PlaneId to) {
+  made(planes_[0], expected_, from_.planes.size())[from.value()] = to.value();
+}
+
 namespace {
 
 PlaneCoefficients negated(const PlaneCoefficients& k) {
@@ -114,6 +118,22 @@ PlaneId add_turned_plane(Geometry& geometry, PlaneId s) {
   }
   turn(how);
   return geometry.add_plane(how);
+}
+
+void copy_with_room(const Geometry& from, const Geometry& more, Geometry& to) {
+  const auto copy = [&](auto Geometry::*table) {
+    (to.*table).reserve((from.*table).size() + (more.*table).size());
+    to.*table = from.*table;
+  };
+  copy(&Geometry::positions);
+  copy(&Geometry::construct);
+  copy(&Geometry::constructions);
+  copy(&Geometry::moved);
+  copy(&Geometry::planes);
+  copy(&Geometry::coefficients);
+  copy(&Geometry::exact_coefficients);
+  to.frames = from.frames;
+  to.directions = from.directions;
 }
 
 GeometryOffset append_geometry(const Geometry& from, Geometry& to, bool turned) {

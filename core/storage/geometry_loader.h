@@ -18,6 +18,8 @@ class GeometryLoader {
   PointId point(PointId p);
   /// `turned`: with the opposite normal.
   PlaneId plane(PlaneId s, bool turned = false);
+  /// A plane that is there already, by another number.
+  void set_plane(PlaneId from, PlaneId to);
   /// Those that were asked for before; may be called from many threads.
   PointId known(PointId p) const { return p.valid() ? PointId(points_.known(p.value())) : p; }
   PlaneId known(PlaneId s, bool turned) const {
@@ -40,6 +42,9 @@ class GeometryLoader {
 
 /// Adds the plane with the opposite normal.
 PlaneId add_turned_plane(Geometry& geometry, PlaneId s);
+
+/// All of a geometry, with room for what is added from another one.
+void copy_with_room(const Geometry& from, const Geometry& more, Geometry& to);
 
 /// What was added to the numbers of points and planes.
 struct GeometryOffset {

@@ -21,13 +21,16 @@ void add_part(SharedSlots& shared, const NewPart& part) {
   for (std::uint32_t s = 0; s < slots.size(); ++s)
     if (slots[s].empty()) free.push_back(s);
   const Places places{free, static_cast<std::uint32_t>(slots.size())};
-  CutPart made = cut_into_blocks({part.brep, part.geometry, part.outside, places});
+  std::vector<FaceId> alone;
+  for (const KeptLoops& kept : part.kept_loops) alone.push_back(kept.face);
+  CutPart made = cut_into_blocks({part.brep, part.geometry, part.outside, places, {}, alone});
   link_to_part(shared, part.outside, made.outside);
   for (std::size_t g = 0; g < made.slots.size(); ++g) {
     const std::uint32_t place = places(g);
     if (place >= slots.size()) slots.resize(place + std::size_t(1));
     slots[place] = std::move(made.slots[g]);
   }
+  add_kept_loops(shared, part.kept_loops, made.alone);
 }
 
 // Closes the gaps if there are many: an empty slot costs little, but all blocks are linked anew.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "storage/cut_into_blocks.h"
+#include "storage/kept_loops.h"
 #include "storage/shared_slots.h"
 
 namespace sectile {
@@ -14,6 +15,8 @@ struct NewPart {
   const Geometry& geometry;  ///< has all it needs, and maybe more
   /// Edge i < outside.size() leads from its even half-edge to this border edge of a shared block.
   std::vector<BorderEdge> outside;
+  /// Further loops of its faces.
+  std::vector<KeptLoops> kept_loops = {};
 };
 
 /// The links of `shared` are true, but for those to the new part, which is put into empty and

@@ -15,6 +15,8 @@ namespace sectile {
 class Euler {
  public:
   explicit Euler(Brep& brep) : brep_(brep) {}
+  /// `followed`: faces whose ids are to be kept true. Of two that become one, both are that one.
+  Euler(Brep& brep, std::span<FaceId> followed) : brep_(brep), followed_(followed) {}
 
   /// Split edge, make vertex: h now ends in the new vertex; the new half-edge goes on to where h
   /// ended. Returns the new vertex.
@@ -72,6 +74,10 @@ class Euler {
   void unlink_loop(LoopId l);
   void move_edge(EdgeId from, EdgeId to);
   void move_face(FaceId from, FaceId to);
+  void follow(FaceId from, FaceId to) {
+    for (FaceId& f : followed_)
+      if (f == from) f = to;
+  }
   void move_loop_id(LoopId from, LoopId to);
   void move_vertex(VertexId from, VertexId to);
 
@@ -85,6 +91,7 @@ class Euler {
   LoopId add_loop(HalfEdgeId member, FaceId face);
 
   Brep& brep_;
+  std::span<FaceId> followed_;
   std::vector<EdgeId> dead_edges_;
   std::vector<FaceId> dead_faces_;
   std::vector<LoopId> dead_loops_;

@@ -56,6 +56,7 @@ void Euler::kef(HalfEdgeId h) {
   drop_loop(other);
   label(start, loop);
   dead_faces_.push_back(gone);
+  follow(gone, kept);
 }
 
 LoopId Euler::kemr(HalfEdgeId h) {
@@ -130,6 +131,7 @@ void Euler::move_face(FaceId from, FaceId to) {
   brep_.source[to] = brep_.source[from];
   if (!brep_.kind.empty()) brep_.kind[to] = brep_.kind[from];
   for (LoopId l = brep_.outer_loop[to]; l.valid(); l = brep_.next_loop[l]) brep_.loop_face[l] = to;
+  follow(from, to);
 }
 
 void Euler::move_loop_id(LoopId from, LoopId to) {

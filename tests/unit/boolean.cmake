@@ -1,4 +1,5 @@
 sectile_test(books_test SOURCES books_test.cpp)
+sectile_test(far_loops_test SOURCES far_loops_test.cpp)
 sectile_test(hubs_test SOURCES hubs_test.cpp)
 sectile_test(face_parts_test SOURCES face_parts_test.cpp)
 sectile_test(contacts_in_points_test SOURCES contacts_in_points_test.cpp)

@@ -12,8 +12,9 @@ namespace {
 
 class Cleaner {
  public:
-  Cleaner(Brep& brep, const Geometry& geometry, const std::vector<EdgeId>& seams)
-      : brep_(brep), geometry_(geometry), seams_(seams), euler_(brep_) {}
+  Cleaner(Brep& brep, const Geometry& geometry, const std::vector<EdgeId>& seams,
+          std::span<FaceId> followed)
+      : brep_(brep), geometry_(geometry), seams_(seams), euler_(brep_, followed) {}
 
   void run() {
     Table<VertexId, std::uint8_t> ends(brep_.vertex_count());
@@ -103,8 +104,9 @@ class Cleaner {
 
 }  // namespace
 
-void clean_up(Brep& brep, const Geometry& geometry, const std::vector<EdgeId>& seams) {
-  Cleaner(brep, geometry, seams).run();
+void clean_up(Brep& brep, const Geometry& geometry, const std::vector<EdgeId>& seams,
+              std::span<FaceId> followed) {
+  Cleaner(brep, geometry, seams, followed).run();
 }
 
 }  // namespace sectile

@@ -2,6 +2,7 @@
 // edges that nothing needs any more, disappear.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "geometry/geometry.h"
@@ -9,7 +10,8 @@
 
 namespace sectile {
 
-/// `seams`: the edges that may go.
-void clean_up(Brep& brep, const Geometry& geometry, const std::vector<EdgeId>& seams);
+/// `seams`: the edges that may go. `followed`: faces whose ids are to be kept true.
+void clean_up(Brep& brep, const Geometry& geometry, const std::vector<EdgeId>& seams,
+              std::span<FaceId> followed = {});
 
 }  // namespace sectile

@@ -142,6 +142,23 @@ class Labelling {
           break;
       }
     });
+    if (const FarLoops* far = patch_.far_loops_of(patch_.root_of(face)))
+      spread_over_far_loops(*far, face);
+  }
+
+  // To what lies beyond: none of it is loaded, and as a rule a loop leads to one piece.
+  void spread_over_far_loops(const FarLoops& far, FaceId part) {
+    const Slot& from = slot(far.slot);
+    BorderLink known;  // at first the slot itself, to which no border leads
+    for (const LoopId l : far.loops) {
+      if (far.part[l] != part) continue;
+      for_each_in_loop(from.block->brep(), l, [&](HalfEdgeId h) {
+        const BorderLink& link = from.links->all()[Brep::edge_of(h).value()];
+        if (link.slots == known.slots && link.piece == known.piece) return;
+        spread_across(far.slot, h, loaded_[part]);
+        if (!rest_.is_touched(far.slot + static_cast<std::uint32_t>(link.slots))) known = link;
+      });
+    }
   }
 
   void spread_to(HalfEdgeId in_solid, std::uint8_t label) {
@@ -199,8 +216,13 @@ class Labelling {
   }
 
   // The loaded face across a half-edge of a face that is not loaded.
-  FaceId loaded_beyond(std::uint32_t s, HalfEdgeId h) {
-    const HalfEdgeId open_end((*open_ends_)[solid().half_edge(s, h).value()]);
+  FaceId loaded_beyond(std::uint32_t s, HalfEdgeId h) const {
+    if (!patch_.far_loops.empty()) {
+      const auto beyond = solid().across(s, h);
+      const FaceId part = patch_.part_of_far(beyond.slot, beyond.local);
+      if (part.valid()) return part;
+    }
+    const HalfEdgeId open_end(open_ends_->known(solid().half_edge(s, h).value()));
     return brep_.face_of(Brep::twin(open_end));
   }
 
@@ -236,9 +258,19 @@ class Labelling {
       const FaceId face = brep_.face_of(Brep::twin(here));
       if (loaded_[face] == unknown) set_loaded(face, rest_.far_label());
     }
+    for (const FarLoops& far : patch_.far_loops)
+      for (const LoopId l : far.loops)
+        if (loaded_[far.part[l]] == unknown) spread_from_far_neighbours(far, l);
     for (const std::uint32_t s : near_)
       if (rest_.has(s, unknown)) spread_from_far_neighbours(s);
     spread();
+  }
+
+  void spread_from_far_neighbours(const FarLoops& far, LoopId l) {
+    for_each_in_loop(slot(far.slot).block->brep(), l, [&](HalfEdgeId h) {
+      if (rest_.is_far(solid().across(far.slot, h).slot))
+        set_loaded(far.part[l], rest_.far_label());
+    });
   }
 
   void spread_from_far_neighbours(std::uint32_t s) {

@@ -234,6 +234,11 @@ Glued glue(Workspace& w, Operation operation, const Neighborhoods& neighborhoods
   sources.pair_sides(neighborhoods, wedges, joined);
   Glued glued = Gluer(w, sources).run();
   glued.shared = std::move(blocks.shared);
+  for (const Operand s : both_operands)
+    for (KeptLoops& loops : blocks.kept_loops(s)) {
+      loops.face = FaceId(sources[static_cast<std::size_t>(s)].place[loops.face]);
+      glued.kept_loops.push_back(std::move(loops));
+    }
   return glued;
 }
 

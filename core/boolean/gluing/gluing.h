@@ -10,6 +10,7 @@
 
 #include "boolean/components/components.h"
 #include "storage/cut_into_blocks.h"
+#include "storage/kept_loops.h"
 #include "storage/shared_slots.h"
 
 namespace sectile {
@@ -21,8 +22,10 @@ struct Glued {
   std::vector<EdgeId> seams;
   /// Of edges 0, 1, …: each leads from its even half-edge to this border edge of a shared block.
   std::vector<BorderEdge> outside;
-  /// The slots of A and then of B, with the blocks that are shared or trimmed.
+  /// The slots of A and then of B, with the blocks that are shared or trimmed, or have loops that
+  /// are kept.
   SharedSlots shared;
+  std::vector<KeptLoops> kept_loops;
 };
 
 /// `kept`: label 1 for the faces that stay. `wedges`: of the neighborhoods, for this operation.

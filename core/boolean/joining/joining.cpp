@@ -1,6 +1,7 @@
 #include "boolean/joining/joining.h"
 
 #include "boolean/joining/face_parts.h"
+#include "boolean/joining/far_parts.h"
 #include "boolean/patch_euler.h"
 #include "boolean/side_by_side.h"
 
@@ -97,6 +98,7 @@ JoinedCuts join_null_edges(Workspace& w, const Neighborhoods& neighborhoods, con
   });
   joined.divided = divided_faces(w, neighborhoods, cuts, joined.sides);
   settle_face_parts(w, joined.divided);
+  settle_far_loops(w, joined.divided);
   return joined;
 }
 
