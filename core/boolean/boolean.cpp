@@ -169,9 +169,10 @@ Solid boolean_by_cutting(const Solid& a, const Solid& b, Operation operation,
     Workspace w(options);
     FacePairs pairs;
     const Operation wanted[] = {operation};
-    load(w, operand(a, options),
-         operation == Operation::subtract ? reversible(operand(b, options)) : operand(b, options),
-         pairs, {wanted});
+    const SolidData& of_b = operation == Operation::subtract
+                                ? as_observed(reversible(operand(b, options)), options)
+                                : operand(b, options);
+    load(w, operand(a, options), of_b, pairs, {wanted});
     return assemble(w, cut(w, pairs, {wanted}), operation, 0);
   } catch (const InternalError& error) {
     throw InternalError(std::string(error.what()) + "; " + save_operands(a, b));

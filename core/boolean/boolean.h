@@ -6,9 +6,12 @@
 
 namespace sectile {
 
-/// What is loaded of a solid: events name entities of one block.
+/// What is loaded of a boundary: events name entities of one block.
+inline const SolidData& as_observed(const SolidData& solid, const BooleanOptions& options) {
+  return options.observer ? solid.in_one_block() : solid;
+}
 inline const SolidData& operand(const Solid& solid, const BooleanOptions& options) {
-  return options.observer ? solid.data()->in_one_block() : *solid.data();
+  return as_observed(*solid.data(), options);
 }
 inline BooleanOptions without_observer(BooleanOptions options) {
   options.observer = nullptr;

@@ -112,6 +112,20 @@ TEST(Trace, NamesEntitiesOfPartlyLoadedOperands) {
   EXPECT_GT(largest, 500u);
 }
 
+// Turned inside out it is paired anew along the line, in blocks of which some are new.
+TEST(Trace, OfALargeSolidThatTouchesItselfAndIsTakenAway) {
+  const Solid touching = subtract(sphere(1, 64, 32), std::vector{block({0, 0, -.3}, {2, 2, .3}),
+                                                                 block({-2, -2, -.3}, {0, 0, .3})});
+  ASSERT_GT(touching.data()->slots().size(), 1u);
+  const Solid around = block({-2, -2, -.5}, {2, 2, 2});
+  Collector collector;
+  BooleanOptions options;
+  options.observer = &collector;
+  const Solid observed = boolean(around, touching, Operation::subtract, options);
+  EXPECT_TRUE(observed == boolean(around, touching, Operation::subtract));
+  EXPECT_FALSE(collector.events.empty());
+}
+
 TEST(Trace, NewEntitiesHaveNewNames) {
   const samples::Sample sample = samples::get("fig12");
   const Collector trace = traced(sample.a, sample.b, Operation::unite);
