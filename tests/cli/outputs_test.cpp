@@ -58,6 +58,12 @@ TEST_F(Outputs, CoordinatesTooLargeForFloatsAreRefused) {
   EXPECT_EQ(run({"convert", "huge.obj", "-o", "huge.off"}).code, 0);
 }
 
+TEST_F(Outputs, ASolidOfWhichFloatsHoldNothingIsRefused) {
+  write("far.off", content(cube(1e10, 0, 0), Format::off));
+  expect_file_failure({"convert", "far.off", "-o", "far.stl"}, "too thin for the numbers");
+  EXPECT_EQ(run({"convert", "far.off", "-o", "far.obj"}).code, 0);
+}
+
 TEST_F(Outputs, SplitWritesBothOrNone) {
   expect_file_failure({"split", "a.obj", "--plane", "0,0,1,-1", "-o", "c.obj", "no/such/d.obj"},
                       "no/such/d.obj");
