@@ -1,6 +1,8 @@
 #include "rounding/local_changes.h"
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 
 #include "parallel/parallel.h"
 #include "sectile/errors.h"
@@ -127,14 +129,18 @@ bool LocalChanges::any_fixed(std::span<const std::uint32_t> triangles) const {
 }
 
 void LocalChanges::begin(std::vector<std::uint32_t> triangles, std::uint32_t around) {
-  saved_.clear();
-  moved_from_ = PointId();
   std::sort(triangles.begin(), triangles.end());
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   concerned_ = std::move(triangles);
   const auto known = before_at_.find(around);
   before_ = known != before_at_.end() ? known->second : faults(concerned_);
   if (around != no_vertex) before_at_[around] = before_;
+  save_concerned();
+}
+
+void LocalChanges::save_concerned() {
+  saved_.clear();
+  moved_from_ = PointId();
   for (const std::uint32_t t : concerned_) save(t);
   // From now on they are found by the list.
   recent_before_ = recent_.size();
@@ -174,21 +180,46 @@ bool LocalChanges::is_flat(std::uint32_t t) const {
 
 // Two triangles with the same vertices and opposite orientations are nothing.
 void LocalChanges::cancel_opposites() {
-  for (std::size_t i = 0; i < concerned_.size(); ++i)
-    for (std::size_t j = i + 1; j < concerned_.size(); ++j) {
-      const std::uint32_t s = concerned_[i], t = concerned_[j];
-      if (rounded_.alive[s] == 0 || rounded_.alive[t] == 0) continue;
-      const auto &a = rounded_.corners[s], &b = rounded_.corners[t];
-      if (edge_of(b, a[1], a[0]) == 3 || edge_of(b, a[2], a[1]) == 3) continue;
-      kill(s);
+  struct Turned {
+    RoundedSurface::Corners corners;  // ascending
+    std::uint32_t triangle;
+    bool is_odd;
+  };
+  std::vector<Turned> sorted;
+  for (const std::uint32_t t : concerned_) {
+    if (rounded_.alive[t] == 0) continue;
+    RoundedSurface::Corners c = rounded_.corners[t];
+    const bool is_odd = (c[0] > c[1]) ^ (c[1] > c[2]) ^ (c[0] > c[2]);
+    std::sort(c.begin(), c.end());
+    sorted.push_back({c, t, is_odd});
+  }
+  std::sort(sorted.begin(), sorted.end(), [](const Turned& a, const Turned& b) {
+    return std::tie(a.corners, a.triangle) < std::tie(b.corners, b.triangle);
+  });
+  std::vector<std::uint32_t> open;  // of one orientation, those before that are left
+  bool open_is_odd = false;
+  std::size_t first_open = 0;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const auto& [corners, t, is_odd] = sorted[i];
+    if (i > 0 && corners != sorted[i - 1].corners) open.clear(), first_open = 0;
+    if (first_open < open.size() && is_odd != open_is_odd) {
+      kill(open[first_open++]);
       kill(t);
+    } else {
+      open_is_odd = is_odd;
+      open.push_back(t);
     }
+  }
 }
 
-void LocalChanges::settle() {
+void LocalChanges::note_flat() {
   kernel_.refresh();
   for (const std::uint32_t t : concerned_)
     if (rounded_.alive[t] != 0) rounded_.surface.ignored[t] = is_flat(t);
+}
+
+void LocalChanges::settle() {
+  note_flat();
   // Also of those that lost a neighbour.
   const std::size_t count = saved_.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -203,7 +234,6 @@ void LocalChanges::find_mates(std::uint32_t t) {
   for (std::size_t k = 0; k < 3; ++k) pair_edge(corners[k], corners[next(k)]);
 }
 
-// Makes mates of the triangles at an edge; of several wedges, each with its own.
 void LocalChanges::pair_edge(std::uint32_t from, std::uint32_t to) {
   std::vector<Side> forward, backward;
   for (const std::uint32_t t : star(from)) {
@@ -212,6 +242,50 @@ void LocalChanges::pair_edge(std::uint32_t from, std::uint32_t to) {
     if (const std::size_t k = edge_of(rounded_.corners[t], to, from); k < 3)
       backward.push_back({t, k});
   }
+  pair_sides(from, to, std::move(forward), std::move(backward));
+}
+
+// Of all triangles that are concerned: each edge once, however many triangles its ends have.
+void LocalChanges::pair_edges() {
+  struct Edge {
+    std::uint32_t low, high;
+    Side side;
+    bool is_concerned;
+  };
+  std::vector<std::uint8_t> is_end(rounded_.point.size(), 0);
+  for (const std::uint32_t t : concerned_)
+    for (const std::uint32_t v : rounded_.corners[t]) is_end[v] = 1;
+  std::vector<Edge> edges;
+  auto concerned = concerned_.begin();
+  for (std::uint32_t t = 0; t < rounded_.corners.size(); ++t) {
+    const bool is_concerned = concerned != concerned_.end() && *concerned == t;
+    if (is_concerned) ++concerned;
+    if (!is_concerned && rounded_.alive[t] == 0) continue;
+    const RoundedSurface::Corners& c = rounded_.corners[t];
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const auto [low, high] = std::minmax(c[k], c[next(k)]);
+          low != high && (is_end[low] & is_end[high]) != 0)
+        edges.push_back({low, high, {t, k}, is_concerned});
+  }
+  std::stable_sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+  });
+  for (auto first = edges.begin(), end = first; first != edges.end(); first = end) {
+    std::vector<Side> forward, backward;
+    bool is_concerned = false;
+    for (; end != edges.end() && end->low == first->low && end->high == first->high; ++end) {
+      is_concerned |= end->is_concerned;
+      const auto [t, k] = end->side;
+      if (rounded_.alive[t] == 0) continue;
+      (rounded_.corners[t][k] == first->low ? forward : backward).push_back(end->side);
+    }
+    if (is_concerned) pair_sides(first->low, first->high, std::move(forward), std::move(backward));
+  }
+}
+
+// Makes mates of the triangles at an edge; of several wedges, each with its own.
+void LocalChanges::pair_sides(std::uint32_t from, std::uint32_t to, std::vector<Side> forward,
+                              std::vector<Side> backward) {
   if (forward.size() != backward.size()) throw InternalError("a change has torn the surface open");
   if (forward.size() > 1) sort_wedges(from, to, forward, backward);
   for (std::size_t i = 0; i < forward.size(); ++i) {
@@ -291,6 +365,42 @@ bool LocalChanges::merge(std::uint32_t vertex, std::uint32_t into) {
   cancel_opposites();
   settle();
   return true;
+}
+
+// All at once: one by one, each would look at all triangles that came to its place before.
+void LocalChanges::join(std::span<const Join> joins) {
+  std::vector<std::uint32_t> goes_to(rounded_.point.size());
+  std::iota(goes_to.begin(), goes_to.end(), 0);
+  std::vector<std::uint8_t> is_joined(rounded_.point.size(), 0);
+  for (const auto& [vertex, into] : joins) {
+    goes_to[vertex] = into;
+    is_joined[vertex] = is_joined[into] = 1;
+  }
+  concerned_.clear();
+  for (std::uint32_t t = 0; t < rounded_.corners.size(); ++t) {
+    const RoundedSurface::Corners& c = rounded_.corners[t];
+    if (rounded_.alive[t] != 0 && (is_joined[c[0]] | is_joined[c[1]] | is_joined[c[2]]) != 0)
+      concerned_.push_back(t);
+  }
+  if (any_fixed(concerned_)) throw InternalError("vertices are joined that are to stay");
+  save_concerned();
+  for (const std::uint32_t t : concerned_) {
+    RoundedSurface::Corners& c = rounded_.corners[t];
+    for (std::uint32_t& v : c) v = goes_to[v];
+    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) kill(t);
+  }
+  cancel_opposites();
+  for (const Saved& was : saved_) {
+    const std::uint32_t t = was.triangle;
+    const RoundedSurface::Corners& c = rounded_.corners[t];
+    if (rounded_.alive[t] == 0 || c == was.corners) continue;
+    renew(t);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (c[k] != was.corners[k]) more_[c[k]].push_back(t);
+  }
+  note_flat();
+  pair_edges();
+  keep();
 }
 
 bool LocalChanges::flip(std::uint32_t s, std::size_t j) {

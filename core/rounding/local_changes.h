@@ -42,6 +42,13 @@ class LocalChanges {
   void keep();
   void undo();
 
+  struct Join {
+    std::uint32_t vertex, into;
+  };
+  /// Merges vertices into others, which stay, and keeps that, whatever it leaves wrong. None of it
+  /// may concern fixed vertices.
+  void join(std::span<const Join> joins);
+
  private:
   static constexpr std::size_t no_limit = 0xFFFFFFFFu;
   static constexpr std::uint32_t no_vertex = 0xFFFFFFFFu;
@@ -60,13 +67,18 @@ class LocalChanges {
 
   bool any_fixed(std::span<const std::uint32_t> triangles) const;
   void begin(std::vector<std::uint32_t> triangles, std::uint32_t around = no_vertex);
+  void save_concerned();
   void save(std::uint32_t triangle);
+  void note_flat();
   void settle();
   void renew(std::uint32_t triangle);
   void kill(std::uint32_t triangle);
   void cancel_opposites();
   void find_mates(std::uint32_t triangle);
   void pair_edge(std::uint32_t from, std::uint32_t to);
+  void pair_edges();
+  void pair_sides(std::uint32_t from, std::uint32_t to, std::vector<Side> forward,
+                  std::vector<Side> backward);
   void sort_wedges(std::uint32_t from, std::uint32_t to, std::vector<Side>& forward,
                    std::vector<Side>& backward) const;
   bool is_flat(std::uint32_t triangle) const;

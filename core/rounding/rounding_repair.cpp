@@ -114,14 +114,15 @@ void RoundingRepair::unite_places(const std::vector<std::uint32_t>& faulty) {
   std::sort(vertices.begin(), vertices.end(),
             [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::vector<LocalChanges::Join> joins;
   for (std::size_t i = 0, first = 0; i < vertices.size(); ++i) {
     if (!(rounded_.position(vertices[i]) == rounded_.position(vertices[first]))) first = i;
-    if (i == first) continue;
-    if (!changes_.merge(vertices[i], vertices[first])) continue;
-    changes_.keep();
-    gone_to_[vertices[i]] = vertices[first];
-    ++merged_;
+    if (i != first) joins.push_back({vertices[i], vertices[first]});
   }
+  if (joins.empty()) return;
+  changes_.join(joins);
+  for (const auto& [vertex, into] : joins) gone_to_[vertex] = into;
+  merged_ += joins.size();
 }
 
 double RoundingRepair::distance(std::uint32_t vertex, const Vec3& to) const {

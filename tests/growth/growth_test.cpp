@@ -374,6 +374,21 @@ TEST(Growth, WritingManyBlocksOfWhichHalfAreCut) {
             n_log_n);
 }
 
+// Far from the origin, where floats are two apart: of the corners, very many come to each place.
+TEST(Growth, WritingASphereOfAFewStepsInFloats) {
+  Rounding floats;
+  floats.numbers = Rounding::Numbers::floats;
+  for (const double radius : {8.6}) {
+    const auto work = [&](std::size_t n) {
+      const auto rings = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(n) / 4));
+      const Solid ball = transformed(sphere(radius, 2 * rings, rings),
+                                     Transform::translation({0x3p23, 0x3p23, 0x3p23}));
+      return [=] { rounded_mesh(ball, floats); };
+    };
+    EXPECT_LT(growth(work, 2000), n_log_n) << "radius " << radius;
+  }
+}
+
 TEST(Growth, OfAConeOnItsBase) {
   const auto work = [](std::size_t sides) {
     return [sides] { cone(1, 0, 1, static_cast<std::uint32_t>(sides)); };
