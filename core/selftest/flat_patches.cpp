@@ -163,7 +163,9 @@ std::vector<std::uint32_t> FlatPatches::rest() const {
   std::vector<std::uint32_t> rest;
   rest.reserve(surface_.size());
   for (std::uint32_t t = 0; t < surface_.size(); ++t)
-    if (of_triangle_.empty() || of_triangle_[t] == none) rest.push_back(t);
+    if ((of_triangle_.empty() || of_triangle_[t] == none) &&
+        (surface_.ignored.empty() || surface_.ignored[t] == 0))
+      rest.push_back(t);
   return rest;
 }
 

@@ -31,7 +31,7 @@ class FlatPatches {
   const FlatPatch& operator[](std::size_t patch) const { return patches_[patch]; }
   /// Per triangle: its patch, or none. Empty if there is no patch.
   const std::vector<std::uint32_t>& of_triangle() const { return of_triangle_; }
-  /// All triangles that are in no patch.
+  /// All triangles that are in no patch and not ignored.
   std::vector<std::uint32_t> rest() const;
 
   /// True: a triangle of no patch, or of another one, meets the plane of this one at most in a

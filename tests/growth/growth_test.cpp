@@ -374,11 +374,12 @@ TEST(Growth, WritingManyBlocksOfWhichHalfAreCut) {
             n_log_n);
 }
 
-// Far from the origin, where floats are two apart: of the corners, very many come to each place.
+// Far from the origin, where floats are two apart: of the corners, very many come to each place,
+// and all of the smallest sphere's to one. Most triangles have no area there.
 TEST(Growth, WritingASphereOfAFewStepsInFloats) {
   Rounding floats;
   floats.numbers = Rounding::Numbers::floats;
-  for (const double radius : {8.6}) {
+  for (const double radius : {0.9, 2.2, 8.6}) {
     const auto work = [&](std::size_t n) {
       const auto rings = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(n) / 4));
       const Solid ball = transformed(sphere(radius, 2 * rings, rings),
