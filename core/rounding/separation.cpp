@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "rounding/rounding_repair.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -42,9 +43,7 @@ Separation::Result Separation::run(const Rounding& options) {
   if (waiting.empty()) return {};
   for (const auto& [place, vertex] : places) ++many_[place];
   kernel_.refresh();
-  rounded_.surface.ignored.resize(rounded_.surface.size(), 0);
-  for (std::uint32_t t = 0; t < rounded_.alive.size(); ++t)
-    rounded_.surface.ignored[t] = rounded_.alive[t] == 0;
+  ignore_flat(rounded_, kernel_);  // middles may have come to an end of their edge
   LocalChanges changes(rounded_, kernel_);
   for (double reach = 1; !waiting.empty() && reach <= greatest_reach; reach *= 2) {
     std::vector<std::uint32_t> left;
