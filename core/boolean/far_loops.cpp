@@ -12,16 +12,33 @@ class Finder {
  public:
   explicit Finder(const SolidData& solid) : solid_(solid) {}
 
-  void add_face(FaceId f, const std::vector<Box>& near) {
+  /// `meets`: may what meets the face meet a box, too?
+  template <class Meets>
+  void add_face(FaceId f, const Meets& meets) {
     FarLoops far;
     far.face = f;
     far.slot = solid_.slot_of(f);
     far.part.resize(solid_.slot(far.slot).block->loop_count());
-    find_loops(far, BoxTree(near));
+    find_loops(far, meets);
     if (!far.loops.empty()) found_.push_back(std::move(far));
   }
 
-  /// Loops beyond whose edges faces are loaded are loaded, too.
+  /// Of all faces that are loaded.
+  std::vector<FarLoops> take(const std::vector<FaceId>& loaded) {
+    if (found_.empty()) return {};
+    for (const FaceId f : loaded) keep_neighbours(f);
+    for (FarLoops& far : found_) {
+      std::erase_if(far.loops, [&](LoopId l) { return !far.has(l); });
+      for (const LoopId l : far.loops)
+        for_each_in_loop(solid_.slot(far.slot).block->brep(), l,
+                         [&](HalfEdgeId) { ++far.corners; });
+    }
+    std::erase_if(found_, [](const FarLoops& far) { return far.loops.empty(); });
+    return std::move(found_);
+  }
+
+ private:
+  // Loops beyond whose edges faces are loaded are loaded, too.
   void keep_neighbours(FaceId loaded) {
     const std::uint32_t slot = solid_.slot_of(loaded);
     const Block& block = *solid_.slot(slot).block;
@@ -39,22 +56,10 @@ class Finder {
     });
   }
 
-  std::vector<FarLoops> take() {
-    for (FarLoops& far : found_) {
-      std::erase_if(far.loops, [&](LoopId l) { return !far.has(l); });
-      for (const LoopId l : far.loops)
-        for_each_in_loop(solid_.slot(far.slot).block->brep(), l,
-                         [&](HalfEdgeId) { ++far.corners; });
-    }
-    std::erase_if(found_, [](const FarLoops& far) { return far.loops.empty(); });
-    return std::move(found_);
-  }
-  bool empty() const { return found_.empty(); }
-
- private:
-  // Inner loops whose boxes overlap none of the others, and at which the solid does not touch
-  // itself: there, points are known from their blocks.
-  void find_loops(FarLoops& far, const BoxTree& near) const {
+  // Inner loops whose boxes meet nothing, and at which the solid does not touch itself: there,
+  // points are known from their blocks.
+  template <class Meets>
+  void find_loops(FarLoops& far, const Meets& meets) const {
     const Block& block = *solid_.slot(far.slot).block;
     const Brep& brep = block.brep();
     const std::vector<VertexId>& touching = block.touching_vertices();
@@ -68,10 +73,7 @@ class Finder {
         if (!touching.empty())
           is_far &= !std::binary_search(touching.begin(), touching.end(), brep.from(h));
       });
-      const Box box = bounds.box();
-      near.query([&](const Box& b) { return b.overlaps(box); },
-                 [&](std::uint32_t) { is_far = false; });
-      if (!is_far) continue;
+      if (!is_far || meets(bounds.box())) continue;
       far.part[l] = far.face;
       far.loops.push_back(l);
     }
@@ -97,11 +99,23 @@ std::vector<FarLoops> find_far_loops(const SolidData& solid, const std::vector<F
     boxes.clear();
     for (; to < near.size() && near[to].face == near[from].face; ++to)
       boxes.push_back(near[to].box);
-    finder.add_face(near[from].face, boxes);
+    const BoxTree tree(boxes);
+    finder.add_face(near[from].face, [&](const Box& box) {
+      bool overlaps = false;
+      tree.query([&](const Box& b) { return !overlaps && b.overlaps(box); },
+                 [&](std::uint32_t) { overlaps = true; });
+      return overlaps;
+    });
   }
-  if (finder.empty()) return {};
-  for (const FaceId f : faces) finder.keep_neighbours(f);
-  return finder.take();
+  return finder.take(faces);
+}
+
+std::vector<FarLoops> find_far_loops(const SolidData& solid, const std::vector<FaceId>& faces,
+                                     const std::function<bool(const Box&)>& meets) {
+  Finder finder(solid);
+  for (const FaceId f : faces)
+    if (may_have_far_loops(solid.slot(solid.slot_of(f)))) finder.add_face(f, meets);
+  return finder.take(faces);
 }
 
 }  // namespace sectile

@@ -1,11 +1,13 @@
 // Of a face with very many loops, those that no contact comes near: they are not loaded. The face
-// is alone in its block, and loops that stay go from there into the result, as they are.
+// is alone in its block, and loops that stay go from there into the result, as they are: if the face
+// is turned around in the result, its slot is.
 //
 // Whatever lies on both the face and what it may meet is outside of the boxes around these loops,
 // so they count in no test there. What has to be found out about such a loop is to which part of
 // the face it belongs, once that is divided.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "boolean/operand.h"
@@ -41,5 +43,8 @@ struct FaceAndBox {
 /// that they may meet. In the order of their slots.
 std::vector<FarLoops> find_far_loops(const SolidData& solid, const std::vector<FaceId>& faces,
                                      std::vector<FaceAndBox> near);
+/// All faces may meet the same: `meets` says whether a box around a loop does.
+std::vector<FarLoops> find_far_loops(const SolidData& solid, const std::vector<FaceId>& faces,
+                                     const std::function<bool(const Box&)>& meets);
 
 }  // namespace sectile

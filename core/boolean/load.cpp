@@ -144,24 +144,16 @@ FacePairs near_pairs(const Workspace& w, const SolidData& a, const SolidData& b,
       }));
 }
 
-// Are loops that are not loaded known to stay as they are?
-bool may_leave_loops(const Workspace& w, Operand s, const Slot& slot, const Wanted& wanted) {
-  return !w.options.observer && !wanted.operations.empty() &&
-         std::ranges::all_of(wanted.operations,
-                             [&](Operation o) { return reversed(o, s) == slot.turned; }) &&
-         may_have_far_loops(slot);
-}
-
 // Of one solid, by the pairs of its faces, `loaded`, with those of the other one.
 std::vector<FarLoops> far_loops(const Workspace& w, Operand s,
                                 const PerOperand<const SolidData*>& of, const SlotPairs& slots,
                                 const FacePairs& pairs, const std::vector<FaceId>& loaded,
                                 const Wanted& wanted) {
   const SolidData &mine = *of[s], &across = *of[other(s)];
-  const auto may_leave = [&](std::uint32_t slot) {
-    return may_leave_loops(w, s, mine.slot(slot), wanted);
-  };
-  if (std::ranges::none_of(slots.slots(s), may_leave)) return {};
+  const auto may_leave = [&](std::uint32_t slot) { return may_have_far_loops(mine.slot(slot)); };
+  if (w.options.observer || wanted.operations.empty() ||
+      std::ranges::none_of(slots.slots(s), may_leave))
+    return {};
   std::vector<FaceAndBox> near;
   for (const auto& [f, g] : pairs) {
     const FaceId face = s == Operand::a ? f : g, beyond = s == Operand::a ? g : f;

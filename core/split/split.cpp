@@ -50,8 +50,11 @@ class MeetsPlane {
 
 void load(Workspace& w, const SolidData& solid, const HalfSpace& h, std::uint32_t origin,
           FacePairs& pairs) {
-  const std::vector<FaceId> faces = faces_where(solid, MeetsPlane(h));
-  w.patch[Operand::a] = load_patch(solid, faces, w.geometry);
+  const MeetsPlane meets(h);
+  const std::vector<FaceId> faces = faces_where(solid, meets);
+  std::vector<FarLoops> far_loops;
+  if (!w.options.observer) far_loops = find_far_loops(solid, faces, meets);
+  w.patch[Operand::a] = load_patch(solid, faces, w.geometry, 0, std::move(far_loops));
   // The normal points out of the half-space.
   const PlaneId plane = w.geometry.add_plane(PlaneCoefficients{-h.a, -h.b, -h.c, -h.d});
   w.patch[Operand::b] = half_space_patch(plane, {origin, 0});

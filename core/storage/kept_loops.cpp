@@ -19,26 +19,29 @@ constexpr std::size_t most_points_of_a_corner = 8;
 struct OldFace {
   std::uint32_t slot;
   std::shared_ptr<const Block> block;
+  bool turned;
   std::vector<BorderLink> links;
 };
 
 // Takes it out of its slot.
 OldFace taken_out(SharedSlots& shared, std::uint32_t slot) {
   std::vector<BorderLink>& links = shared.links_of(slot);
-  OldFace face{slot, std::move(shared.slots[slot].block), std::move(links)};
-  shared.slots[slot] = {};
+  Slot& old = shared.slots[slot];
+  OldFace face{slot, std::move(old.block), old.turned, std::move(links)};
+  old = {};
   links.clear();
   return face;
 }
 
 // The new block of a face whose loops come from several blocks: the first of them may be copied
-// with most of its numbers.
+// with most of its numbers, and its half-edges run as they did.
 class JoinedFace {
  public:
   JoinedFace(SharedSlots& shared, std::uint32_t slot) : shared_(shared), slot_(slot) {}
 
   void add(const OldFace& from, std::span<const LoopId> loops) {
-    sources_.push_back({from, loops, {}, {}, {}});
+    const bool turned = !sources_.empty() && from.turned != sources_[0].old.turned;
+    sources_.push_back({from, loops, turned, {}, {}, {}});
     Source& source = sources_.back();
     const Brep& brep = from.block->brep();
     source.number.assign(from.block->border_count, none);
@@ -63,6 +66,7 @@ class JoinedFace {
   struct Source {
     const OldFace& old;
     std::span<const LoopId> loops;
+    bool turned;                             // against the first one
     std::vector<std::uint32_t> number;       // per border edge: in the new block, or none
     std::vector<VertexId> vertex;            // per vertex: in the new block
     std::optional<GeometryLoader> geometry;  // none where numbers of points stay
@@ -71,6 +75,11 @@ class JoinedFace {
     PointId point(PointId p) { return geometry ? geometry->point(p) : p; }
     PlaneId plane(PlaneId s) { return geometry ? geometry->plane(s) : s; }
     HalfEdgeId half_edge(HalfEdgeId h) const { return HalfEdgeId(2 * number[h.value() / 2]); }
+    // As it runs in the new block.
+    HalfEdgeId next_of(HalfEdgeId h) const {
+      return turned ? brep().prev_of(h) : brep().next_of(h);
+    }
+    VertexId from(HalfEdgeId h) const { return turned ? brep().to(h) : brep().from(h); }
   };
 
   // Where the slot stays, so do numbers, and with them the links of the blocks around.
@@ -99,7 +108,7 @@ class JoinedFace {
     to.point.reserve(edges_);
     to.vertex_half_edge.reserve(edges_);
     Source& last = sources_.back();
-    to.add_face(last.plane(last.brep().plane[FaceId(0)]), last.brep().source[FaceId(0)], LoopId(0));
+    to.add_face(face_plane(), last.brep().source[FaceId(0)], LoopId(0));
     add_loop(last, last.loops[0]);
     for (Source& source : sources_)
       for (const LoopId l : source.loops.subspan(&source == &last ? 1 : 0)) add_loop(source, l);
@@ -116,14 +125,21 @@ class JoinedFace {
     Source &first = sources_.front(), &last = sources_.back();
     Geometry& to = block_->geometry();
     const Geometry& old = first.old.block->geometry();
-    const bool is_copied = old.positions.size() <= most_points_of_a_corner * edges_;
-    if (is_copied) copy_with_room(old, last.old.block->geometry(), to);
+    is_copied_ = old.positions.size() <= most_points_of_a_corner * edges_;
+    if (is_copied_) copy_with_room(old, last.old.block->geometry(), to);
     for (Source& source : sources_) {
-      if (is_copied && &source == &first) continue;
+      if (is_copied_ && &source == &first) continue;
       source.geometry.emplace(source.old.block->geometry(), to, source.vertex.size());
-      if (is_copied)
+      if (is_copied_)
         source.geometry->set_plane(source.brep().plane[FaceId(0)], first.brep().plane[FaceId(0)]);
     }
+  }
+
+  // That of the first face is known by the numbers of the others, once it is copied.
+  PlaneId face_plane() {
+    Source& last = sources_.back();
+    const PlaneId plane = last.brep().plane[FaceId(0)];
+    return last.turned && !is_copied_ ? last.geometry->plane(plane, true) : last.plane(plane);
   }
 
   void add_loop(Source& source, LoopId loop) {
@@ -132,13 +148,14 @@ class JoinedFace {
     const LoopId next(to.loop_count() + 1);
     const LoopId made = to.add_loop(FaceId(0), source.half_edge(from.loop_half_edge[loop]), next);
     for_each_in_loop(from, loop, [&](HalfEdgeId h) {
-      const HalfEdgeId here = source.half_edge(h), after = source.half_edge(from.next_of(h));
+      const HalfEdgeId here = source.half_edge(h), after = source.half_edge(source.next_of(h));
       to.next[here] = after;
       to.prev[after] = here;
       to.loop[here] = made;
-      VertexId& vertex = source.vertex[from.from(h).value()];
+      const VertexId old = source.from(h);
+      VertexId& vertex = source.vertex[old.value()];
       if (!vertex.valid()) {
-        vertex = to.point.add(source.point(from.point_of(from.from(h))));
+        vertex = to.point.add(source.point(from.point_of(old)));
         to.vertex_half_edge.add(here);
       }
       to.origin[here] = vertex;
@@ -163,7 +180,7 @@ class JoinedFace {
     for (const Source& source : sources_)
       for (std::uint32_t e = 0; e < source.number.size(); ++e)
         if (source.number[e] != none) link(source, e, links);
-    shared_.slots[slot_] = {block_, nullptr};
+    shared_.slots[slot_] = {block_, nullptr, sources_[0].old.turned};
     shared_.links_of(slot_) = std::move(links);
   }
 
@@ -183,6 +200,7 @@ class JoinedFace {
   std::uint32_t slot_;
   std::vector<Source> sources_;
   std::size_t edges_ = 0;
+  bool is_copied_ = false;  // the geometry of the first source
   std::shared_ptr<Block> block_ = std::make_shared<Block>();
 };
 

@@ -289,13 +289,113 @@ TEST(FarLoops, HolesThatTouchEachOther) {
   EXPECT_EQ(checked(solid, tool, Operation::subtract), subtract(large, done));
 }
 
-TEST(FarLoops, APlateIsSplit) {
-  const Solid solid = checked(drilled(), drill(4, 4), Operation::subtract);
-  const auto [above, below] = split(solid, {1, 0.25, 0, -4.75});
+void expect_halves(const Solid& solid, const HalfSpace& plane) {
+  const auto [above, below] = split(solid, plane);
   expect_legal(above);
   expect_legal(below);
   EXPECT_NEAR(above.volume() + below.volume(), solid.volume(), 1e-9);
   EXPECT_EQ(boolean(above, below, Operation::unite), solid);
+  EXPECT_EQ(boolean(solid, above, Operation::subtract), below);
+}
+
+TEST(FarLoops, APlateIsSplit) {
+  const Solid solid = checked(drilled(), drill(4, 4), Operation::subtract);
+  expect_halves(solid, {1, 0.25, 0, -4.75});
+  expect_halves(solid, {1, 0, 0, -4.5});
+  expect_halves(solid, {1, 0, 0, -4});
+  expect_halves(solid, {0, 0, 1, -0.5});
+  expect_halves(solid, {0.5, 0, 1, -2});
+  expect_halves(solid, {1, 1, 0, -0.5});
+}
+
+TEST(FarLoops, HalvesOfAPlateAreSplitFurther) {
+  std::vector<Solid> parts{drilled()};
+  for (const HalfSpace& plane : {HalfSpace{1, 0, 0, -4}, {0, 1, 0, -3.875}, {1, 1, 0, -7}}) {
+    std::vector<Solid> finer;
+    for (const Solid& part : parts) {
+      const auto [above, below] = split(part, plane);
+      for (const Solid& half : {above, below})
+        if (!half.is_empty()) finer.push_back(half);
+    }
+    parts = std::move(finer);
+  }
+  EXPECT_EQ(parts.size(), 7u);
+  double volume = 0;
+  for (const Solid& part : parts) {
+    expect_legal(part);
+    volume += part.volume();
+  }
+  EXPECT_NEAR(volume, drilled().volume(), 1e-9);
+  EXPECT_EQ(unite(parts), drilled());
+}
+
+// Such a face is turned around, again and again, while it is drilled.
+TEST(FarLoops, OfAMouldOfAMould) {
+  const Solid large = block({-1, -1, -1}, {columns + 1, columns + 1, 2});
+  std::vector<Solid> all = drills();
+  Solid solid = drilled();
+  for (int i = 0; i < 6; ++i) {
+    const Solid hole = moved(cylinder(0.1, 5, sides), i + 1, 3, -2);
+    solid = checked(checked(large, solid, Operation::subtract), hole,
+                    i % 2 == 0 ? Operation::unite : Operation::subtract);
+    all.push_back(hole);
+  }
+  EXPECT_EQ(boolean(solid, plate(), Operation::intersect), subtract(plate(), all));
+}
+
+// Both lids hold the pegs that were in the holes: one comes from the block, the other was turned.
+TEST(FarLoops, AFaceThatWasTurnedAndOneThatWasNotBecomeOne) {
+  const Solid solid = drilled();
+  const Solid lid =
+      boolean(checked(block({0, 0, -1}, {columns, columns, 2}), solid, Operation::subtract),
+              block({0, 0, 0.5}, {columns, columns, 2}), Operation::intersect);
+  EXPECT_EQ(lid.counts().genus, 0);
+  const Transform over =
+      Transform::translation({2 * columns, 0, 2}) * Transform::scaling({-1, 1, -1});
+  const Solid beside = transformed(solid, over);  // its upper side lies in the plane of the lid's
+  const Solid both = checked(lid, beside, Operation::unite);
+  EXPECT_EQ(both.counts().shells, 1u);
+  EXPECT_EQ(both.counts().genus, columns * columns);
+  EXPECT_NEAR(both.volume(), lid.volume() + beside.volume(), 1e-9);
+  EXPECT_LT(faces_by_source(both).size(), both.counts().faces);
+  EXPECT_EQ(checked(both, beside, Operation::subtract), lid);
+  EXPECT_EQ(checked(both, lid, Operation::subtract), beside);
+}
+
+// Those who follow the phases see all loops loaded.
+TEST(FarLoops, RandomChainsAreTheSameWithAllLoopsLoaded) {
+  struct Watch : Observer {
+    void phase_done(Phase, const std::vector<TraceEvent>&) override {}
+  } watch;
+  BooleanOptions all_loops;
+  all_loops.observer = &watch;
+  std::mt19937 random(7);
+  const auto any = [&](int below) { return static_cast<int>(random() % unsigned(below)); };
+  for (int chain = 0; chain < 8; ++chain) {
+    Solid solid = drilled();
+    for (int step = 0; step < 6; ++step) {
+      const double x = any(33) / 4.0, y = any(33) / 4.0;
+      const Solid tools[] = {drill(x, y), block({x, -1, any(3) / 2.0}, {x + 0.375, columns + 1, 2}),
+                             block({x - 1, y - 1, -1}, {x + 2, y + 2, 2}), moved(drilled(), x, 0)};
+      const Solid& tool = tools[any(4)];
+      const int what = any(5);
+      if (what == 4) {
+        const HalfSpace plane{1.0 * any(3), 1, any(2) * 0.5, -y};
+        const auto halves = split(solid, plane), expected = split(solid, plane, all_loops);
+        EXPECT_EQ(halves.first, expected.first);
+        EXPECT_EQ(halves.second, expected.second);
+        expect_legal(halves.first);
+        expect_legal(halves.second);
+        solid = any(2) == 0 || halves.second.is_empty() ? halves.first : halves.second;
+        continue;
+      }
+      const auto operation = what == 3 ? Operation::subtract : static_cast<Operation>(what);
+      const Solid &a = what == 3 ? tool : solid, &b = what == 3 ? solid : tool;
+      const Solid result = checked(a, b, operation);
+      EXPECT_EQ(result, boolean(a, b, operation, all_loops));
+      if (!result.is_empty()) solid = result;
+    }
+  }
 }
 
 TEST(FarLoops, FacesKeepTheirSources) {

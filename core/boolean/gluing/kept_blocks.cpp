@@ -61,10 +61,10 @@ void KeptBlocks::share(Operand s, bool turned) {
   trimmed.trim(std::move(rests));
   for (const std::uint32_t t : trimmed.slots())
     slots[t] = {trimmed[t]->block(), nullptr, solid.slot(t).turned != turned};
-  for (const FarLoops& far : w_.patch[s].far_loops) keep_loops(s, far);
+  for (const FarLoops& far : w_.patch[s].far_loops) keep_loops(s, far, turned);
 }
 
-void KeptBlocks::keep_loops(Operand s, const FarLoops& far) {
+void KeptBlocks::keep_loops(Operand s, const FarLoops& far, bool turned) {
   std::vector<LoopId> loops;
   for (const LoopId l : far.loops)
     if (kept_.loaded[s][far.part[l]] != 0) loops.push_back(l);
@@ -72,7 +72,7 @@ void KeptBlocks::keep_loops(Operand s, const FarLoops& far) {
   std::ranges::stable_sort(loops, {}, [&](LoopId l) { return far.part[l]; });
   const std::uint32_t slot = first_slot_[s] + far.slot;
   const Slot& old = w_.patch[s].solid->slot(far.slot);
-  shared.slots[slot] = {old.block, old.links};
+  shared.slots[slot] = {old.block, old.links, old.turned != turned};
   std::vector<KeptLoops>& kept = kept_loops_[s];
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const FaceId part = far.part[loops[i]];

@@ -31,7 +31,7 @@ class KeptBlocks {
 
  private:
   void share(Operand s, bool turned);
-  void keep_loops(Operand s, const FarLoops& far);
+  void keep_loops(Operand s, const FarLoops& far, bool turned);
 
   const Workspace& w_;
   const FaceLabels& kept_;
