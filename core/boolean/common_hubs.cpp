@@ -71,7 +71,7 @@ void CommonHubs::find_lines() {
   for (const Hub& h : order_) points.push_back(load_point(block(h).geometry(), point(h), geometry));
   lines_ = SpineLines(Kernel(geometry), points, spines);
   for (const Hub& h : order_)
-    if (const std::uint32_t line = lines_.of_point(fan_of(h)); line != SpineLines::none)
+    if (const std::uint32_t line = lines_.first_of_point(fan_of(h)); line != SpineLines::none)
       fan_of(h) = static_cast<std::uint32_t>(order_.size()) + line;
 }
 

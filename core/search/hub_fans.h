@@ -1,5 +1,5 @@
 // Polygons around hubs (search/hubs.h): fans of very many that have a corner in common, told apart
-// by the directions in which they leave it, or its spine.
+// by the directions in which they leave it, or a line along which very many edges run.
 #pragma once
 
 #include <algorithm>
@@ -21,17 +21,24 @@ class HubFans {
   template <class ForEachCorner>
   HubFans(std::span<const std::uint32_t> some, std::size_t count, std::size_t points,
           const ForEachCorner& for_each_corner);
-  /// Makes one fan of those on one line along which many edges run.
+  /// Makes one fan of the polygons (the same ones) that have corners on one line along which many
+  /// edges run between two hubs.
   template <class ForEachCorner>
-  void join_along_spines(const Kernel& kernel, const ForEachCorner& for_each_corner);
+  void join_along_spines(std::span<const std::uint32_t> some, const Kernel& kernel,
+                         const ForEachCorner& for_each_corner);
+  /// Beside each other, whatever their ends are.
+  template <class ForEachCorner>
+  void join_along_crowded_lines(std::span<const std::uint32_t> some, const Kernel& kernel,
+                                const ForEachCorner& for_each_corner);
 
   std::size_t count() const { return fans_.size(); }
   /// Per polygon: its fan, or Hubs::none. Empty if there is no fan.
   const std::vector<std::uint32_t>& of_polygon() const { return of_polygon_; }
   std::span<const std::uint32_t> polygons(std::size_t fan) const { return fans_[fan].polygons; }
-  /// The hubs of a fan.
+  /// The hub of a fan, or all points on its line, ascending.
   std::span<const PointId> points(std::size_t fan) const { return fans_[fan].points; }
-  bool is_along_spine(std::size_t fan) const { return fans_[fan].line != SpineLines::none; }
+  bool any_lines() const { return lines_.count() > 0; }
+  bool is_along_line(std::size_t fan) const { return fans_[fan].line != SpineLines::none; }
   /// Do two polygons belong to one fan? Then for_each_pair() tells whether they may meet.
   bool same(std::uint32_t f, std::uint32_t g) const {
     return !of_polygon_.empty() && of_polygon_[f] != Hubs::none && of_polygon_[f] == of_polygon_[g];
@@ -53,21 +60,29 @@ class HubFans {
     std::uint32_t line = SpineLines::none;
   };
 
+  template <class ForEachCorner, class Visit>
+  static void for_each_edge(std::span<const std::uint32_t> polygons,
+                            const ForEachCorner& for_each_corner, const Visit& visit);
   template <class ForEachCorner>
-  std::vector<Hubs::Spine> spines(std::span<const PointId> hubs,
-                                  const ForEachCorner& for_each_corner) const;
+  void join_along(std::span<const PointPair> edges, std::span<const std::uint32_t> some,
+                  const Kernel& kernel, const ForEachCorner& for_each_corner);
+  template <class ForEachCorner>
+  std::uint32_t line_of(std::uint32_t polygon, const ForEachCorner& for_each_corner) const;
+  std::vector<PointId> all_points() const;
   template <class ForEachCorner>
   std::vector<Box> boxes(const Fan& fan, const Geometry& geometry,
                          const ForEachCorner& for_each_corner) const;
 
-  std::vector<Fan> fans_;                  // ascending by their first points
-  std::vector<std::uint32_t> of_polygon_;  // empty if there is no hub
+  std::size_t count_ = 0, points_ = 0;
+  std::vector<Fan> fans_;
+  std::vector<std::uint32_t> of_polygon_;  // empty if there is no fan
   SpineLines lines_;
 };
 
 template <class ForEachCorner>
 HubFans::HubFans(std::span<const std::uint32_t> some, std::size_t count, std::size_t points,
-                 const ForEachCorner& for_each_corner) {
+                 const ForEachCorner& for_each_corner)
+    : count_(count), points_(points) {
   if (some.size() < Hubs::least_faces) return;
   std::vector<std::uint32_t> corners(points, 0);
   for (const std::uint32_t f : some) for_each_corner(f, [&](PointId p) { ++corners[p.value()]; });
@@ -91,53 +106,96 @@ HubFans::HubFans(std::span<const std::uint32_t> some, std::size_t count, std::si
   }
 }
 
-template <class ForEachCorner>
-void HubFans::join_along_spines(const Kernel& kernel, const ForEachCorner& for_each_corner) {
-  std::vector<PointId> hubs;
-  for (const Fan& fan : fans_) hubs.push_back(fan.points[0]);
-  lines_ = SpineLines(kernel, hubs, spines(hubs, for_each_corner));
-  if (lines_.count() == 0) return;
-  std::vector<Fan> joined;
-  std::vector<std::uint32_t> of_line(lines_.count(), Hubs::none);
-  for (std::uint32_t hub = 0; hub < hubs.size(); ++hub) {
-    const std::uint32_t line = lines_.of_point(hub);
-    auto fan = static_cast<std::uint32_t>(joined.size());
-    if (line != SpineLines::none && of_line[line] != Hubs::none)
-      fan = of_line[line];
-    else
-      joined.emplace_back().line = line;
-    if (line != SpineLines::none) of_line[line] = fan;
-    joined[fan].points.push_back(hubs[hub]);
-    for (const std::uint32_t f : fans_[hub].polygons) {
-      joined[fan].polygons.push_back(f);
-      of_polygon_[f] = fan;
-    }
-  }
-  fans_ = std::move(joined);
-}
-
 // Each edge is one of two polygons.
 template <class ForEachCorner>
-std::vector<Hubs::Spine> HubFans::spines(std::span<const PointId> hubs,
-                                         const ForEachCorner& for_each_corner) const {
-  if (hubs.size() < 2) return {};
-  std::vector<Hubs::Spine> edges;
-  std::vector<std::uint32_t> corners;
+void HubFans::join_along_spines(std::span<const std::uint32_t> some, const Kernel& kernel,
+                                const ForEachCorner& for_each_corner) {
+  if (fans_.size() < 2) return;
+  const auto is_hub = [&](std::uint32_t p) {
+    return std::ranges::binary_search(fans_, PointId(p), {},
+                                      [](const Fan& fan) { return fan.points[0]; });
+  };
+  std::vector<PointPair> between;
   for (const Fan& fan : fans_)
-    for (const std::uint32_t f : fan.polygons) {
-      corners.clear();
-      for_each_corner(f, [&](PointId p) {
-        const auto at = std::ranges::lower_bound(hubs, p);
-        const bool is_hub = at != hubs.end() && *at == p;
-        corners.push_back(is_hub ? static_cast<std::uint32_t>(at - hubs.begin()) : Hubs::none);
-      });
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        const std::uint32_t g = corners[i], h = corners[i + 1 < corners.size() ? i + 1 : 0];
-        if (g != Hubs::none && h != Hubs::none && g != h)
-          edges.push_back(Hubs::Spine::between(g, h));
-      }
+    for_each_edge(fan.polygons, for_each_corner, [&](const PointPair& e) {
+      if (is_hub(e.from) && is_hub(e.to)) between.push_back(e);
+    });
+  join_along(Hubs::spines_among(std::move(between), Hubs::least_faces), some, kernel,
+             for_each_corner);
+}
+
+template <class ForEachCorner>
+void HubFans::join_along_crowded_lines(std::span<const std::uint32_t> some, const Kernel& kernel,
+                                       const ForEachCorner& for_each_corner) {
+  std::vector<PointPair> edges;
+  for_each_edge(some, for_each_corner, [&](const PointPair& e) { edges.push_back(e); });
+  join_along(crowded_lines(kernel, all_points(), edges, 2 * Hubs::least_faces), some, kernel,
+             for_each_corner);
+}
+
+template <class ForEachCorner, class Visit>
+void HubFans::for_each_edge(std::span<const std::uint32_t> polygons,
+                            const ForEachCorner& for_each_corner, const Visit& visit) {
+  std::vector<PointId> corners;
+  for (const std::uint32_t f : polygons) {
+    corners.clear();
+    for_each_corner(f, [&](PointId p) { corners.push_back(p); });
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const PointId p = corners[i], q = corners[i + 1 < corners.size() ? i + 1 : 0];
+      if (p != q) visit(PointPair::between(p.value(), q.value()));
     }
-  return Hubs::spines_among(std::move(edges), Hubs::least_faces);
+  }
+}
+
+// The fans of lines are the first ones; those of hubs lose to them what has a corner there.
+template <class ForEachCorner>
+void HubFans::join_along(std::span<const PointPair> edges, std::span<const std::uint32_t> some,
+                         const Kernel& kernel, const ForEachCorner& for_each_corner) {
+  lines_ = SpineLines(kernel, all_points(), edges);
+  if (!any_lines()) return;
+  std::vector<Fan> fans(lines_.count());
+  for (const auto& [point, line] : lines_.points()) {
+    fans[line].points.push_back(PointId(point));
+    fans[line].line = line;
+  }
+  of_polygon_.assign(count_, Hubs::none);
+  for (const std::uint32_t f : some) {
+    const std::uint32_t line = line_of(f, for_each_corner);
+    if (line == SpineLines::none) continue;
+    of_polygon_[f] = line;
+    fans[line].polygons.push_back(f);
+  }
+  for (Fan& fan : fans_) {
+    std::erase_if(fan.polygons, [&](std::uint32_t f) { return of_polygon_[f] != Hubs::none; });
+    for (const std::uint32_t f : fan.polygons)
+      of_polygon_[f] = static_cast<std::uint32_t>(fans.size());
+    fans.push_back(std::move(fan));
+  }
+  fans_ = std::move(fans);
+}
+
+// On which most of its corners are.
+template <class ForEachCorner>
+std::uint32_t HubFans::line_of(std::uint32_t polygon, const ForEachCorner& for_each_corner) const {
+  std::vector<std::uint32_t> lines;
+  for_each_corner(polygon, [&](PointId p) {
+    for (const SpineLines::On& on : lines_.of_point(p.value())) lines.push_back(on.line);
+  });
+  std::uint32_t best = SpineLines::none;
+  std::ptrdiff_t most = 0;
+  for (const std::uint32_t line : lines)
+    if (const auto corners = std::ranges::count(lines, line); corners > most) {
+      most = corners;
+      best = line;
+    }
+  return best;
+}
+
+inline std::vector<PointId> HubFans::all_points() const {
+  std::vector<PointId> all;
+  all.reserve(points_);
+  for (std::size_t p = 0; p < points_; ++p) all.push_back(PointId(p));
+  return all;
 }
 
 template <class ForEachCorner>

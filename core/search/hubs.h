@@ -10,6 +10,7 @@
 
 #include "geometry/geometry.h"
 #include "search/box.h"
+#include "search/edges_by_line.h"
 #include "topology/brep.h"
 
 namespace sectile {
@@ -20,13 +21,7 @@ class Hubs {
   static constexpr std::uint32_t least_faces = 16;  ///< half of a small block
 
   /// The line between two hubs along which many edges run.
-  struct Spine {
-    std::uint32_t from, to;  ///< hubs, ascending
-    friend auto operator<=>(const Spine&, const Spine&) = default;
-    static Spine between(std::uint32_t g, std::uint32_t h) {
-      return {std::min(g, h), std::max(g, h)};
-    }
-  };
+  using Spine = PointPair;
   /// Those between which there are so many edges.
   static std::vector<Spine> spines_among(std::vector<Spine> edges, std::uint32_t least);
 

@@ -1,13 +1,14 @@
-// The lines on which spines (search/hubs.h) lie, and the hubs on these lines.
+// Lines along which very many edges run, and the points on these lines.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "geometry/kernel.h"
 #include "search/along_line.h"
-#include "search/hubs.h"
+#include "search/edges_by_line.h"
 
 namespace sectile {
 
@@ -16,20 +17,32 @@ class SpineLines {
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
   SpineLines() = default;
-  /// Spines between some of the points, by their numbers.
+  /// Through edges between some of the points.
   SpineLines(const Kernel& kernel, std::span<const PointId> points,
-             std::span<const Hubs::Spine> spines);
+             std::span<const PointPair> edges);
 
-  /// The numbers of lines are below this.
   std::size_t count() const { return lines_.size(); }
-  /// The line on which a point lies, one of several, or none.
-  std::uint32_t of_point(std::size_t point) const {
-    return of_point_.empty() ? none : of_point_[point];
+  /// A point, and a line on which it is, between the ends of the edges there.
+  struct On {
+    std::uint32_t point, line;
+    friend auto operator<=>(const On&, const On&) = default;
+  };
+  /// Those of one point.
+  std::span<const On> of_point(std::uint32_t point) const {
+    const auto [from, to] = std::ranges::equal_range(on_, point, {}, &On::point);
+    return {from, to};
   }
+  /// The first line on which a point lies, or none.
+  std::uint32_t first_of_point(std::uint32_t point) const {
+    const auto lines = of_point(point);
+    return lines.empty() ? none : lines.front().line;
+  }
+  /// All, ascending.
+  std::span<const On> points() const { return on_; }
   const AlongLine& operator[](std::uint32_t line) const { return lines_[line]; }
 
  private:
-  std::vector<std::uint32_t> of_point_;  // empty if there is no line
+  std::vector<On> on_;
   std::vector<AlongLine> lines_;
 };
 

@@ -1,5 +1,6 @@
 // The edges of a surface on one line along which very many run: does the material alternate around
-// each stretch of it? Looking at each two of them takes time with the square of their number.
+// each stretch of it? Looking at each two of them takes time with the square of their number; so
+// would sorting what is around each stretch, where all edges have different ends.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 
 #include "geometry/kernel.h"
 #include "selftest/triangle_surface.h"
+#include "selftest/wedge_order.h"
 
 namespace sectile {
 
@@ -34,7 +36,7 @@ class EdgesOnLine {
     return !surface_.ignored.empty() && surface_.ignored[t] != 0;
   }
   std::size_t place_of(PointId p) const;
-  bool alternate_between(std::size_t low, std::size_t high) const;
+  std::vector<SideOfLine> sides() const;
 
   const TriangleSurface& surface_;
   const Kernel& kernel_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <mutex>
+#include <optional>
 #include <tuple>
 #include <unordered_set>
 
@@ -44,44 +45,66 @@ class Traversal {
         faces_(tree_, labels_of_faces()),
         geometry_(kernel.geometry()),
         kernel_(kernel),
-        hubs_(fans_around_hubs()),
+        hubs_(fans_around_hubs_and_spines()),
         fans_(tree_, hubs_.of_polygon()),
         settled_(tree_, labels_of_settled()),
         pairs_(surface, kernel) {}
 
   std::vector<SelfContact> run() {
-    const std::size_t level = std::min<std::size_t>(tree_.levels() - 1, 2);
-    const std::size_t count = tree_.nodes(level);
-    const std::size_t steps = count + hubs_.count() + patch_pairs_.count();
-    parallel::loop(0, count, [&](std::size_t node) {
-      check_cancelled();
-      const std::size_t top = tree_.levels() - 1;
-      found_.lend([&](Found& found) {
-        Visitor visitor{*this, found};
-        visitor.meet_itself(level, node);
-        visitor.meet_later(level, node, tree_.boxes(level, node).all(), top, 0);
-      });
-      note_step(steps);
-    });
-    parallel::loop(0, hubs_.count(), [&](std::size_t fan) {
-      check_cancelled();
-      found_.lend([&](Found& found) { test_fan(fan, found); });
-      note_step(steps);
-    });
-    parallel::loop(0, patch_pairs_.count(), [&](std::size_t patch) {
-      check_cancelled();
-      found_.lend([&](Found& found) { test_pairs_of_patch(patch, found); });
-      note_step(steps);
-    });
+    try {
+      traverse();
+    } catch (const Crowded&) {
+      is_crowded_ = false;
+      hubs_ = std::move(along_lines_);
+      fans_ = NodeLabels(tree_, hubs_.of_polygon());
+      found_.emplace();
+      begun_at_ = told_;
+      traverse();
+    }
     if (control_.progress) control_.progress(1);
     return sorted();
   }
 
  private:
-  using Found = std::vector<SelfContact>;
+  struct Found {
+    std::vector<SelfContact> contacts;
+    std::size_t tests = 0;
+  };
+  /// Very many triangles were found to meet along lines.
+  struct Crowded {};
+
+  // More tests than so many for each triangle are a reason to look for such lines.
+  static constexpr std::size_t many_tests = 32;
+  static constexpr std::size_t tests_at_a_time = 1024;
+
+  void traverse() {
+    const std::size_t level = std::min<std::size_t>(tree_.levels() - 1, 2);
+    const std::size_t count = tree_.nodes(level);
+    steps_ = count + hubs_.count() + patch_pairs_.count();
+    done_ = 0;
+    parallel::loop(0, count, [&](std::size_t node) {
+      check_cancelled();
+      found_->lend([&](Found& found) {
+        Visitor visitor{*this, found};
+        visitor.meet_itself(level, node);
+        visitor.meet_later(level, node, tree_.boxes(level, node).all(), tree_.levels() - 1, 0);
+      });
+      note_step();
+    });
+    parallel::loop(0, hubs_.count(), [&](std::size_t fan) {
+      check_cancelled();
+      found_->lend([&](Found& found) { test_fan(fan, found); });
+      note_step();
+    });
+    parallel::loop(0, patch_pairs_.count(), [&](std::size_t patch) {
+      check_cancelled();
+      found_->lend([&](Found& found) { test_pairs_of_patch(patch, found); });
+      note_step();
+    });
+  }
 
   struct Visitor {
-    const Traversal& all;
+    Traversal& all;
     Found& found;
 
     void meet_itself(std::size_t level, std::size_t node) {
@@ -160,40 +183,57 @@ class Traversal {
     return labels;
   }
 
-  void test(std::uint32_t s, std::uint32_t t, Found& found) const {
+  void test(std::uint32_t s, std::uint32_t t, Found& found) {
     if (enough_.load(std::memory_order_relaxed)) return;
+    if (++found.tests % tests_at_a_time == 0) note_tests();
     const auto contact = pairs_.test(std::min(s, t), std::max(s, t));
     if (!contact) return;
-    found.push_back(*contact);
+    found.contacts.push_back(*contact);
     if (control_.is_enough && control_.is_enough(surface_.face[s], surface_.face[t]))
       enough_.store(true, std::memory_order_relaxed);
   }
 
   HubFans fans_around_hubs() const {
-    HubFans fans(tree_.order(), surface_.size(), geometry_.positions.size(), CornersOf{surface_});
-    fans.join_along_spines(kernel_, CornersOf{surface_});
+    return HubFans(tree_.order(), surface_.size(), geometry_.positions.size(), CornersOf{surface_});
+  }
+  HubFans fans_around_hubs_and_spines() const {
+    HubFans fans = fans_around_hubs();
+    fans.join_along_spines(tree_.order(), kernel_, CornersOf{surface_});
     return fans;
   }
 
-  // What leaves a spine in different directions meets in edges on it only.
-  void test_fan(std::size_t fan, Found& found) const {
+  // Of walls that have one line in common, each meets all others: the boxes of all hold the line.
+  void note_tests() {
+    if (is_crowded_) throw Crowded();
+    tests_ += tests_at_a_time;
+    if (tests_ <= many_tests * surface_.size() || looked_for_lines_.exchange(true)) return;
+    along_lines_ = fans_around_hubs();
+    along_lines_.join_along_crowded_lines(tree_.order(), kernel_, CornersOf{surface_});
+    if (!along_lines_.any_lines()) return;
+    is_crowded_ = true;
+    throw Crowded();
+  }
+
+  // What leaves a line in different directions meets in edges on it only.
+  void test_fan(std::size_t fan, Found& found) {
     const auto test_pair = [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); };
     hubs_.for_each_pair(fan, geometry_, CornersOf{surface_}, test_pair);
-    if (!hubs_.is_along_spine(fan)) return;
+    if (!hubs_.is_along_line(fan)) return;
     if (!EdgesOnLine(surface_, kernel_, hubs_.polygons(fan), hubs_.points(fan)).alternate())
       hubs_.for_each_other_pair(fan, geometry_, CornersOf{surface_}, test_pair);
   }
 
   // Two faces that lie on each other do so in very many slivers.
-  void test_pairs_of_patch(std::size_t patch, Found& found) const {
+  void test_pairs_of_patch(std::size_t patch, Found& found) {
     const bool once = control_.overlaps_once && !each_face_is_a_triangle();
     std::unordered_set<std::uint64_t> known;
     patch_pairs_.for_each_pair(patch, [&](std::uint32_t s, std::uint32_t t) {
       const std::uint64_t faces = std::uint64_t(surface_.face[s]) << 32 | surface_.face[t];
       if (!known.empty() && known.contains(faces)) return;
-      const std::size_t before = found.size();
+      const std::size_t before = found.contacts.size();
       test(s, t, found);
-      if (once && found.size() > before && found.back().kind == SelfContact::Kind::overlap)
+      if (once && found.contacts.size() > before &&
+          found.contacts.back().kind == SelfContact::Kind::overlap)
         known.insert(faces);
     });
   }
@@ -203,17 +243,21 @@ class Traversal {
   void check_cancelled() const {
     if (control_.cancel && control_.cancel->load(std::memory_order_relaxed)) throw Cancelled();
   }
-  void note_step(std::size_t steps) {
+  void note_step() {
     ++done_;
     if (!control_.progress || !telling_.try_lock()) return;
     const std::lock_guard lock(telling_, std::adopt_lock);
     const std::size_t done = done_;  // asked for here, so that it rises
-    if (done < steps) control_.progress(double(done) / double(steps));
+    if (done >= steps_) return;
+    told_ = begun_at_ + (1 - begun_at_) * double(done) / double(steps_);
+    control_.progress(told_);
   }
 
   std::vector<SelfContact> sorted() {
     std::vector<SelfContact> all;
-    found_.for_each([&](const Found& some) { all.insert(all.end(), some.begin(), some.end()); });
+    found_->for_each([&](const Found& some) {
+      all.insert(all.end(), some.contacts.begin(), some.contacts.end());
+    });
     std::sort(all.begin(), all.end(), [](const SelfContact& a, const SelfContact& b) {
       return std::tie(a.first, a.second) < std::tie(b.first, b.second);
     });
@@ -230,12 +274,14 @@ class Traversal {
   NodeLabels faces_;
   const Geometry& geometry_;
   const Kernel& kernel_;
-  HubFans hubs_;
+  HubFans hubs_, along_lines_;
   NodeLabels fans_, settled_;
   TrianglePairs pairs_;
-  parallel::Scratch<Found> found_;
-  mutable std::atomic<bool> enough_{false};
-  std::atomic<std::size_t> done_{0};
+  std::optional<parallel::Scratch<Found>> found_{std::in_place};
+  std::atomic<bool> enough_{false}, looked_for_lines_{false}, is_crowded_{false};
+  std::atomic<std::size_t> tests_{0}, done_{0};
+  std::size_t steps_ = 0;
+  double begun_at_ = 0, told_ = 0;  // parts of the progress
   std::mutex telling_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "geometry/kernel.h"
 
@@ -21,5 +22,10 @@ struct SideOfLine {
 /// side and the forward one that follows. `axis` is one on which the line has an extent; forward is
 /// the way up on it.
 bool sort_around(const Kernel& kernel, int axis, std::span<SideOfLine> sides);
+
+/// The same order, whatever alternates, as a number for each side: those that are one half-plane
+/// have the same.
+std::vector<std::uint32_t> places_around(const Kernel& kernel, int axis,
+                                         std::span<const SideOfLine> sides);
 
 }  // namespace sectile

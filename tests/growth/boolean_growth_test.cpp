@@ -73,14 +73,17 @@ TEST(Growth, ImportOfABouquet) {
   EXPECT_LT(growth([](std::size_t n) { return [n] { bouquet(n); }; }, 250), n_log_n);
 }
 
-// n wedges around one edge.
-PolygonMesh book(std::size_t n) {
+// n wedges on one line: those that begin later than others do so by `lows`, and so for their ends.
+PolygonMesh book(std::size_t n, double lows = 0, double highs = 0) {
   PolygonMesh mesh;
+  const auto nth = [&](std::size_t i, std::size_t factor) {
+    return static_cast<double>(factor * i % n);
+  };
   for (std::size_t i = 0; i < n; ++i) {
     const double step = 2 * std::numbers::pi / static_cast<double>(n),
                  a = step * static_cast<double>(i), b = a + step / 2;
     const auto o = static_cast<std::uint32_t>(mesh.positions.size());
-    for (const double z : {0.0, 1.0}) {
+    for (const double z : {lows * nth(i, 7919), 1 + highs * nth(i, 10007)}) {
       mesh.positions.push_back({0, 0, z});
       mesh.positions.push_back({std::cos(a), std::sin(a), z});
       mesh.positions.push_back({std::cos(b), std::sin(b), z});
@@ -97,6 +100,16 @@ PolygonMesh book(std::size_t n) {
 TEST(Growth, ImportOfABook) {
   EXPECT_LT(growth([](std::size_t n) { return [mesh = book(n)] { Solid::from_mesh(mesh); }; }, 100),
             n_log_n);
+}
+
+TEST(Growth, ImportOfABookOfAllLengths) {
+  for (const double lows : {0.0, 1e-4})
+    EXPECT_LT(
+        growth(
+            [&](std::size_t n) { return [mesh = book(n, lows, 1e-4)] { Solid::from_mesh(mesh); }; },
+            100),
+        n_log_n)
+        << lows;
 }
 
 TEST(Growth, BooksAlongTheirCommonEdge) {

@@ -279,10 +279,20 @@ bool is_accepted(const PolygonMesh& mesh) {
   }
 }
 
+struct Tally {
+  int legal = 0, illegal = 0;
+};
+
+void compare(const PolygonMesh& mesh, Tally& tally) {
+  const bool is_legal = test::BruteForceSolid(mesh).is_legal();
+  ++(is_legal ? tally.legal : tally.illegal);
+  EXPECT_EQ(is_accepted(mesh), is_legal);
+}
+
 // Legal books with one more leaf, which lies anywhere: between the others, across some, in one of
 // them, with a wall in one of theirs.
 TEST(Books, AreRefusedWhereTheyAreNoSolid) {
-  int legal = 0, illegal = 0;
+  Tally tally;
   for (unsigned seed = 0; seed < 400; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
@@ -299,12 +309,34 @@ TEST(Books, AreRefusedWhereTheyAreNoSolid) {
     add_leaf(
         {at, at + 1 + below(seed % 5 == 0 ? 24 : 4), low, low + 1 + below(4 - low), below(4) == 0},
         seed % 2 != 0, mesh);
-    const bool is_legal = test::BruteForceSolid(mesh).is_legal();
-    ++(is_legal ? legal : illegal);
-    EXPECT_EQ(is_accepted(mesh), is_legal);
+    compare(mesh, tally);
   }
-  EXPECT_GT(legal, 30);
-  EXPECT_GT(illegal, 100);
+  EXPECT_GT(tally.legal, 30);
+  EXPECT_GT(tally.illegal, 100);
+}
+
+// The same where the edges on the line have ends of their own, and no corner is one of many.
+TEST(Books, OfAllLengthsAreRefusedWhereTheyAreNoSolid) {
+  Tally tally;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    PolygonMesh mesh;
+    for (int at = 0; at + 4 < 192; at += 5) {
+      const bool is_short = below(12) == 0;
+      const int low = is_short ? 10 * below(8) : below(40);
+      add_leaf({at, at + 1 + below(3), low, is_short ? low + 8 : 41 + below(40)}, seed % 2 != 0,
+               mesh);
+    }
+    const int at = below(160), low = below(60);
+    add_leaf(
+        {at, at + 1 + below(seed % 5 == 0 ? 24 : 3), low, low + 1 + below(80 - low), below(4) == 0},
+        seed % 2 != 0, mesh);
+    compare(mesh, tally);
+  }
+  EXPECT_GT(tally.legal, 30);
+  EXPECT_GT(tally.illegal, 100);
 }
 
 }  // namespace
