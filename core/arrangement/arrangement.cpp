@@ -20,7 +20,7 @@ class ManySolids {
       : steering_{options.cancel, options.progress},
         facets_(facets_of(solids, geometry_, steering_)),
         kernel_(geometry_),
-        tree_(facets_, geometry_) {
+        tree_(facets_, kernel_) {
     steering_.step(0.1);
     faces_ = arrange(facets_, tree_, Counting::oriented, geometry_, kernel_, steering_);
     cells_ =

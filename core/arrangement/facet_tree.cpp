@@ -7,12 +7,15 @@
 namespace sectile::arrangement {
 namespace {
 
-HubFans fans_of(const Facets& facets, const Geometry& geometry) {
+HubFans fans_of(const Facets& facets, const Kernel& kernel) {
   std::vector<std::uint32_t> all(facets.face_count());
   std::iota(all.begin(), all.end(), 0u);
-  return HubFans(
-      all, all.size(), geometry.positions.size(),
-      [&](std::uint32_t f, const auto& visit) { for_each_outer_corner(facets, f, visit); });
+  const auto for_each_corner = [&](std::uint32_t f, const auto& visit) {
+    for_each_outer_corner(facets, f, visit);
+  };
+  HubFans fans(all, all.size(), kernel.geometry().positions.size(), for_each_corner);
+  fans.join_along_spines(all, kernel, for_each_corner);
+  return fans;
 }
 
 std::vector<Box> boxes_of(const Facets& facets, const Geometry& geometry) {
@@ -30,8 +33,8 @@ std::vector<Box> boxes_of(const Facets& facets, const Geometry& geometry) {
 
 }  // namespace
 
-FacetTree::FacetTree(const Facets& facets, const Geometry& geometry)
-    : FacetTree(facets, geometry, fans_of(facets, geometry)) {}
+FacetTree::FacetTree(const Facets& facets, const Kernel& kernel)
+    : FacetTree(facets, kernel.geometry(), fans_of(facets, kernel)) {}
 
 FacetTree::FacetTree(const Facets& facets, const Geometry& geometry, HubFans fans)
     : BoxTree(boxes_of(facets, geometry), fans.of_polygon()), fans_(std::move(fans)) {}

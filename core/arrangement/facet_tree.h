@@ -14,7 +14,7 @@ void for_each_outer_corner(const Facets& facets, std::uint32_t face, const Visit
 
 class FacetTree : public BoxTree {
  public:
-  FacetTree(const Facets& facets, const Geometry& geometry);
+  FacetTree(const Facets& facets, const Kernel& kernel);
 
   /// Of the faces: the groups of the tree.
   const HubFans& fans() const { return fans_; }

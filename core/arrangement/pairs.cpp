@@ -1,5 +1,6 @@
 #include "arrangement/pairs.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -250,18 +251,22 @@ std::vector<FacePair> find_pairs(const Facets& facets, const FacetTree& tree,
     tree.self_overlaps(
         parts[i], [&](std::uint32_t f, std::uint32_t g) { add(test, f, g, out); }, apart);
   });
-  // Around a corner only boxes of directions tell.
+  // Around a corner, or a line of many edges, only boxes of directions tell; and on the line, which
+  // corners of some are within edges of others.
   const auto by_directions = collect<Found>(tree.fans().count(), 1, [&](std::size_t i, Found& out) {
     steering.check();
-    tree.fans().for_each_pair(
-        i, kernel.geometry(),
-        [&](std::uint32_t f, const auto& visit) { for_each_outer_corner(facets, f, visit); },
-        [&](std::uint32_t f, std::uint32_t g) { add(test, f, g, out); });
+    const auto for_each_corner = [&](std::uint32_t f, const auto& visit) {
+      for_each_outer_corner(facets, f, visit);
+    };
+    const auto add_pair = [&](std::uint32_t f, std::uint32_t g) { add(test, f, g, out); };
+    tree.fans().for_each_pair(i, kernel.geometry(), for_each_corner, add_pair);
+    tree.fans().for_each_corner_within_edge(i, kernel, for_each_corner, add_pair);
   });
   std::vector<FacePair> pairs;
   for (const auto* all : {&by_boxes, &by_directions})
     for (const Found& found : *all) append(pairs, found);
   parallel::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 

@@ -287,7 +287,7 @@ class Repairer {
   Solid arranged() {
     const Counting counting = options_.rule == Rule::odd ? Counting::parity : Counting::oriented;
     const Facets all = facets();
-    const arrangement::FacetTree tree(all, geometry_);
+    const arrangement::FacetTree tree(all, *kernel_);
     const SubFaces faces =
         arrangement::arrange(all, tree, counting, geometry_, *kernel_, steering_);
     const Cells cells =

@@ -66,7 +66,7 @@ std::shared_ptr<const SolidData> resolved(const TriangleSoup& soup,
   Kernel kernel(geometry);
   const Facets facets = facets_of(soup, geometry, kernel);
   if (facets.face_count() == 0) return std::make_shared<SolidData>();
-  const arrangement::FacetTree tree(facets, geometry);
+  const arrangement::FacetTree tree(facets, kernel);
   const SubFaces faces =
       arrangement::arrange(facets, tree, Counting::oriented, geometry, kernel, steering);
   const Cells cells = arrangement::find_cells(faces, facets, tree, Counting::oriented,

@@ -9,6 +9,7 @@
 
 #include "search/box_tree.h"
 #include "search/hubs.h"
+#include "search/places_on_line.h"
 #include "search/spine_lines.h"
 
 namespace sectile {
@@ -48,7 +49,12 @@ class HubFans {
   template <class ForEachCorner, class Visit>
   void for_each_pair(std::size_t fan, const Geometry& geometry,
                      const ForEachCorner& for_each_corner, const Visit& visit) const;
-  /// The same for all other pairs.
+  /// Calls visit(f, g) for each point in which a polygon g of a line has a corner within an edge of
+  /// f on the line, with one such g.
+  template <class ForEachCorner, class Visit>
+  void for_each_corner_within_edge(std::size_t fan, const Kernel& kernel,
+                                   const ForEachCorner& for_each_corner, const Visit& visit) const;
+  /// for_each_pair() for all other pairs, which meet along the line at most.
   template <class ForEachCorner, class Visit>
   void for_each_other_pair(std::size_t fan, const Geometry& geometry,
                            const ForEachCorner& for_each_corner, const Visit& visit) const;
@@ -225,6 +231,36 @@ void HubFans::for_each_pair(std::size_t fan, const Geometry& geometry,
   for (const BoxTree::SelfPart& part : tree.self_parts(1))
     tree.self_overlaps(part,
                        [&](std::uint32_t i, std::uint32_t j) { visit(polygons[i], polygons[j]); });
+}
+
+template <class ForEachCorner, class Visit>
+void HubFans::for_each_corner_within_edge(std::size_t fan, const Kernel& kernel,
+                                          const ForEachCorner& for_each_corner,
+                                          const Visit& visit) const {
+  if (!is_along_line(fan)) return;
+  const PlacesOnLine places(kernel, points(fan));
+  std::vector<std::uint32_t> with_corner(places.count(), Hubs::none);
+  std::vector<std::size_t> on_line;  // per corner of a polygon: its place, or what is none
+  const auto find_places = [&](std::uint32_t f) {
+    on_line.clear();
+    for_each_corner(f, [&](PointId p) {
+      on_line.push_back(std::ranges::binary_search(points(fan), p) ? places.of(p) : places.count());
+    });
+  };
+  for (const std::uint32_t f : polygons(fan)) {
+    find_places(f);
+    for (const std::size_t place : on_line)
+      if (place < places.count() && with_corner[place] == Hubs::none) with_corner[place] = f;
+  }
+  for (const std::uint32_t f : polygons(fan)) {
+    find_places(f);
+    for (std::size_t i = 0; i < on_line.size(); ++i) {
+      const auto [low, high] = std::minmax(on_line[i], on_line[i + 1 < on_line.size() ? i + 1 : 0]);
+      if (high == places.count()) continue;
+      for (std::size_t place = low + 1; place < high; ++place)
+        if (const std::uint32_t g = with_corner[place]; g != Hubs::none && g != f) visit(f, g);
+    }
+  }
 }
 
 template <class ForEachCorner, class Visit>

@@ -7,13 +7,6 @@
 namespace sectile {
 namespace {
 
-int axis_of_line(const Kernel& kernel, std::span<const PointId> points) {
-  for (const PointId p : points)
-    for (int axis = 0; axis < 3; ++axis)
-      if (kernel.compare(points[0], p, axis) != Sign::zero) return axis;
-  return 0;
-}
-
 // The two sides of each edge that covers a stretch of the line, as one goes along it. Either all of
 // them bound material, seen from one side to the other of an edge, or all the outside, unless
 // there is one edge only.
@@ -66,18 +59,7 @@ class SidesAround {
 
 EdgesOnLine::EdgesOnLine(const TriangleSurface& surface, const Kernel& kernel,
                          std::span<const std::uint32_t> triangles, std::span<const PointId> points)
-    : surface_(surface),
-      kernel_(kernel),
-      points_(points),
-      axis_(axis_of_line(kernel, points)),
-      places_(points.begin(), points.end()) {
-  std::ranges::sort(places_, [&](PointId p, PointId q) {
-    const Sign up = kernel.compare(p, q, axis_);
-    return up != Sign::zero ? up == Sign::positive : p < q;
-  });
-  const auto again = std::ranges::unique(
-      places_, [&](PointId p, PointId q) { return kernel.compare(p, q, axis_) == Sign::zero; });
-  places_.erase(again.begin(), again.end());
+    : surface_(surface), kernel_(kernel), points_(points), places_(kernel, points) {
   find_edges(triangles);
 }
 
@@ -91,7 +73,7 @@ void EdgesOnLine::find_edges(std::span<const std::uint32_t> triangles) {
       const std::uint32_t mate = surface_.mate[t][k];
       divided_ |= (mate & TriangleSurface::partial) != 0;
       const std::uint32_t across = surface_.neighbour(t, static_cast<int>(k));
-      const std::size_t p = place_of(from), q = place_of(to);
+      const std::size_t p = places_.of(from), q = places_.of(to);
       if (p != q) edges_.push_back({t, across, p < q, std::min(p, q), std::max(p, q)});
     }
   }
@@ -102,15 +84,6 @@ void EdgesOnLine::find_edges(std::span<const std::uint32_t> triangles) {
   std::ranges::sort(edges_, {}, [&](const Edge& e) { return std::pair(sides(e), e.triangle); });
   const auto again = std::ranges::unique(edges_, {}, sides);
   edges_.erase(again.begin(), again.end());
-}
-
-std::size_t EdgesOnLine::place_of(PointId p) const {
-  return static_cast<std::size_t>(std::partition_point(places_.begin(), places_.end(),
-                                                       [&](PointId q) {
-                                                         return kernel_.compare(q, p, axis_) ==
-                                                                Sign::positive;
-                                                       }) -
-                                  places_.begin());
 }
 
 std::vector<SideOfLine> EdgesOnLine::sides() const {
@@ -126,7 +99,7 @@ std::vector<SideOfLine> EdgesOnLine::sides() const {
 // In each place, the edges that end there are gone before others begin.
 bool EdgesOnLine::alternate() const {
   if (divided_) return false;
-  const std::vector<std::uint32_t> at = places_around(kernel_, axis_, sides());
+  const std::vector<std::uint32_t> at = places_around(kernel_, places_.axis(), sides());
   std::vector<std::uint32_t> beginning(edges_.size());
   std::iota(beginning.begin(), beginning.end(), 0u);
   std::vector<std::uint32_t> ending = beginning;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/kernel.h"
+#include "search/places_on_line.h"
 #include "selftest/triangle_surface.h"
 #include "selftest/wedge_order.h"
 
@@ -35,14 +36,12 @@ class EdgesOnLine {
   bool is_ignored(std::uint32_t t) const {
     return !surface_.ignored.empty() && surface_.ignored[t] != 0;
   }
-  std::size_t place_of(PointId p) const;
   std::vector<SideOfLine> sides() const;
 
   const TriangleSurface& surface_;
   const Kernel& kernel_;
   std::span<const PointId> points_;
-  int axis_;                     // on which the line has an extent
-  std::vector<PointId> places_;  // one point for each, along the axis
+  PlacesOnLine places_;
   std::vector<Edge> edges_;
   bool divided_ = false;  // is there an edge that is divided on one side only?
 };

@@ -6,6 +6,7 @@
 
 #include "boolean/boolean.h"
 #include "growth/steps.h"
+#include "sectile/arrangement.h"
 #include "sectile/boolean.h"
 #include "sectile/primitives.h"
 #include "sectile/solid.h"
@@ -133,6 +134,18 @@ TEST(Growth, BooksWhosePagesCrossAlongTheirCommonEdge) {
                 },
                 60),
             n_log_n);
+}
+
+TEST(Growth, CellsOfBooksAlongTheirCommonEdge) {
+  EXPECT_LT(
+      growth(
+          [](std::size_t n) {
+            const Solid a = Solid::from_mesh(book(n));
+            const std::vector<Solid> both{a, transformed(a, Transform::translation({0, 0, 0.5}))};
+            return [both] { cells(both); };
+          },
+          40),
+      n_log_n);
 }
 
 }  // namespace

@@ -197,6 +197,49 @@ TEST(Books, WithASolidAcrossTheLine) {
   }
 }
 
+// In one arrangement of all faces: edges along the line end within others, of both books and of
+// one.
+TEST(Books, CellsAreWhatBooleansSay) {
+  const Stretches kinds[] = {{{0, 4}}, {{0, 2}}, {{1, 4}}, {{0, 1}, {2, 3}}};
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const Transform& placed = seed % 2 == 0 ? upright : slanted;
+    const auto some = std::span(kinds).first(1 + seed);
+    const Solid a = transformed(book(random_pages(random, some)), placed),
+                b = transformed(book(random_pages(random, some)), placed),
+                higher = transformed(transformed(book(random_pages(random, some)),
+                                                 Transform::translation({0, 0, 1})),
+                                     placed);
+    for (const Solid& other : {b, higher}) {
+      const std::vector<Solid> both{a, other};
+      const std::vector<SolidCell> all = cells(both);
+      EXPECT_EQ(all.size(), 3u);
+      for (const SolidCell& cell : all) {
+        const Solid expected = cell.operands.size() == 2 ? boolean(a, other, Operation::intersect)
+                               : cell.operands[0] == 0   ? boolean(a, other, Operation::subtract)
+                                                         : boolean(other, a, Operation::subtract);
+        EXPECT_TRUE(cell.solid == expected);
+        expect_valid(cell.solid);
+      }
+    }
+  }
+}
+
+TEST(Books, RepairUnitesThoseThatCross) {
+  const Stretches kinds[] = {{{0, 4}}, {{0, 2}}, {{1, 4}}};
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const auto of_a = random_pages(random, kinds), of_b = random_pages(random, kinds);
+    std::vector<Page> all = of_a;
+    all.insert(all.end(), of_b.begin(), of_b.end());
+    const Solid repaired = repair(mesh_of(all));
+    EXPECT_TRUE(repaired == boolean(book(of_a), book(of_b), Operation::unite));
+    expect_valid(repaired);
+  }
+}
+
 // A bouquet of n thin tetrahedra, whose common corner is where the others' edges run through.
 Solid bouquet_in_the_line(std::size_t n, double z) {
   PolygonMesh mesh;
