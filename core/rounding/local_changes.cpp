@@ -30,8 +30,8 @@ std::size_t edge_of(const RoundedSurface::Corners& corners, std::uint32_t from, 
 
 }  // namespace
 
-LocalChanges::LocalChanges(RoundedSurface& rounded, Kernel& kernel)
-    : rounded_(rounded), kernel_(kernel), pairs_(rounded.surface, kernel) {
+LocalChanges::LocalChanges(RoundedSurface& rounded, Kernel& kernel, Asked asked)
+    : rounded_(rounded), kernel_(kernel), pairs_(rounded.surface, kernel), asked_(asked) {
   const std::size_t count = rounded.corners.size();
   is_changed_.assign(count, 0);
   first_.assign(rounded.point.size() + 1, 0);
@@ -89,7 +89,22 @@ void LocalChanges::for_each_near(std::uint32_t triangle, const Visit& visit) con
 
 bool LocalChanges::meet(std::uint32_t s, std::uint32_t t) const {
   ++tested_pairs_;
-  return pairs_.test(std::min(s, t), std::max(s, t)).has_value();
+  if (!pairs_.test(std::min(s, t), std::max(s, t))) return false;
+  met_ = {s, t};
+  return true;
+}
+
+// What was in the way of a change is in the way of others, as a rule, and found before all that is
+// near was looked at.
+bool LocalChanges::is_free() {
+  return !is_met_again() && faults(concerned_, 1) == 0;
+}
+
+bool LocalChanges::is_met_again() const {
+  const auto [s, t] = met_;
+  return s != t && std::binary_search(concerned_.begin(), concerned_.end(), s) &&
+         rounded_.alive[s] != 0 && rounded_.alive[t] != 0 && box_[s].overlaps(box_[t]) &&
+         meet(s, t);
 }
 
 std::size_t LocalChanges::faults(std::span<const std::uint32_t> triangles, std::size_t most) const {
@@ -132,10 +147,14 @@ void LocalChanges::begin(std::vector<std::uint32_t> triangles, std::uint32_t aro
   std::sort(triangles.begin(), triangles.end());
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   concerned_ = std::move(triangles);
+  if (asked_ == Asked::is_better) count_before(around);
+  save_concerned();
+}
+
+void LocalChanges::count_before(std::uint32_t around) {
   const auto known = before_at_.find(around);
   before_ = known != before_at_.end() ? known->second : faults(concerned_);
   if (around != no_vertex) before_at_[around] = before_;
-  save_concerned();
 }
 
 void LocalChanges::save_concerned() {

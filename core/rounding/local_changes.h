@@ -2,6 +2,7 @@
 // the other diagonal. What they make better or worse is counted exactly.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -16,7 +17,9 @@ namespace sectile {
 
 class LocalChanges {
  public:
-  LocalChanges(RoundedSurface& rounded, Kernel& kernel);
+  /// Which of the questions below is asked about changes.
+  enum class Asked : std::uint8_t { is_better, is_free };
+  LocalChanges(RoundedSurface& rounded, Kernel& kernel, Asked asked = Asked::is_better);
 
   /// The living triangles around a vertex.
   std::vector<std::uint32_t> star(std::uint32_t vertex) const;
@@ -38,7 +41,7 @@ class LocalChanges {
   /// Is less wrong with the triangles that the change concerns than before?
   bool is_better() const { return faults(concerned_, before_) < before_; }
   /// Is nothing wrong with them?
-  bool is_free() const { return faults(concerned_, 1) == 0; }
+  bool is_free();
   void keep();
   void undo();
 
@@ -67,6 +70,7 @@ class LocalChanges {
 
   bool any_fixed(std::span<const std::uint32_t> triangles) const;
   void begin(std::vector<std::uint32_t> triangles, std::uint32_t around = no_vertex);
+  void count_before(std::uint32_t around);
   void save_concerned();
   void save(std::uint32_t triangle);
   void note_flat();
@@ -83,6 +87,7 @@ class LocalChanges {
                    std::vector<Side>& backward) const;
   bool is_flat(std::uint32_t triangle) const;
   bool meet(std::uint32_t s, std::uint32_t t) const;
+  bool is_met_again() const;
   template <class Visit>
   void for_each_near(std::uint32_t triangle, const Visit& visit) const;
   Box make_box(std::uint32_t triangle) const;
@@ -91,6 +96,7 @@ class LocalChanges {
   RoundedSurface& rounded_;
   Kernel& kernel_;
   TrianglePairs pairs_;
+  Asked asked_;
   BoxTree tree_;
   std::vector<Box> box_;                       // per triangle
   std::vector<std::uint8_t> is_changed_;       // since the tree was built
@@ -102,6 +108,7 @@ class LocalChanges {
   std::uint32_t moved_vertex_ = 0;
   PointId moved_from_;
   std::size_t before_ = 0, recent_before_ = 0;
+  mutable std::array<std::uint32_t, 2> met_{};  // two triangles that met last
   mutable std::uint64_t tested_pairs_ = 0;
   // What is wrong around vertices, until a change is kept.
   std::unordered_map<std::uint32_t, std::size_t> before_at_;

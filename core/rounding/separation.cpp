@@ -44,7 +44,7 @@ Separation::Result Separation::run(const Rounding& options) {
   for (const auto& [place, vertex] : places) ++many_[place];
   kernel_.refresh();
   ignore_flat(rounded_, kernel_);  // middles may have come to an end of their edge
-  LocalChanges changes(rounded_, kernel_);
+  LocalChanges changes(rounded_, kernel_, LocalChanges::Asked::is_free);
   for (double reach = 1; !waiting.empty() && reach <= greatest_reach; reach *= 2) {
     std::vector<std::uint32_t> left;
     for (const std::uint32_t v : waiting) {
@@ -79,7 +79,8 @@ void Separation::find_fans() {
   for (std::uint32_t c = 0; c < fan_.size(); ++c) fan_[c] = root(c);
 }
 
-// The first fan keeps the vertex.
+// The first fan keeps the vertex. All have one point until they move: that they are in one place is
+// known then without arithmetic.
 void Separation::give_fans_vertices() {
   std::vector<std::uint32_t> of_vertex(rounded_.point.size(), 0xFFFFFFFFu);
   std::map<std::uint32_t, std::uint32_t> made;  // per fan
@@ -92,8 +93,7 @@ void Separation::give_fans_vertices() {
       if (first == fan) continue;
       const auto [at, is_new] = made.try_emplace(fan, 0);
       if (is_new)
-        at->second =
-            add_vertex(rounded_.position(v), rounded_.origin[v], rounded_.is_exact[v] != 0);
+        at->second = add_vertex(rounded_.point[v], rounded_.origin[v], rounded_.is_exact[v] != 0);
       rounded_.corners[t][k] = at->second;
       rounded_.surface.corners[t][k] = rounded_.point[at->second];
       rounded_.surface.settled[t] = 0;
@@ -101,10 +101,10 @@ void Separation::give_fans_vertices() {
   }
 }
 
-std::uint32_t Separation::add_vertex(const Vec3& place, const Vec3& origin, bool is_exact) {
+std::uint32_t Separation::add_vertex(PointId point, const Vec3& origin, bool is_exact) {
   rounded_.origin.push_back(origin);
   rounded_.is_exact.push_back(is_exact);
-  rounded_.point.push_back(rounded_.geometry.add_point(place));
+  rounded_.point.push_back(point);
   return static_cast<std::uint32_t>(rounded_.point.size() - 1);
 }
 
@@ -142,8 +142,8 @@ void Separation::divide(std::uint32_t s, std::size_t j) {
   const std::uint32_t t = rounded_.surface.mate[s][j];
   const std::size_t k = corner_at(rounded_.corners[t], b);
   const Vec3 place = grid_.nearest(middle_of(rounded_.position(a), rounded_.position(b)));
-  const std::uint32_t middle =
-      add_vertex(place, middle_of(rounded_.origin[a], rounded_.origin[b]), false);
+  const std::uint32_t middle = add_vertex(rounded_.geometry.add_point(place),
+                                          middle_of(rounded_.origin[a], rounded_.origin[b]), false);
   middles_.push_back(middle);
   divide_half(s, j, middle);
   divide_half(t, k, middle);

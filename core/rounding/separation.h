@@ -43,7 +43,7 @@ class Separation {
   void divide_pinched_edges();
   void divide(std::uint32_t s, std::size_t j);
   void divide_half(std::uint32_t t, std::size_t k, std::uint32_t middle);
-  std::uint32_t add_vertex(const Vec3& place, const Vec3& origin, bool is_exact);
+  std::uint32_t add_vertex(PointId point, const Vec3& origin, bool is_exact);
   bool move_apart(LocalChanges& changes, std::uint32_t vertex, double reach);
   bool move_to_one_of(LocalChanges& changes, std::uint32_t vertex, const std::vector<Vec3>& places);
   std::vector<Vec3> places_near(const LocalChanges& changes, std::uint32_t vertex,
