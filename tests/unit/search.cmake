@@ -2,3 +2,4 @@ sectile_test(box_tree_test SOURCES box_tree_test.cpp bucket_sort_test.cpp box_se
 sectile_test(curve_order_test SOURCES curve_order_test.cpp)
 sectile_test(hull_test SOURCES hull_test.cpp)
 sectile_test(outline_tree_test SOURCES outline_tree_test.cpp)
+sectile_test(equal_elements_test SOURCES equal_elements_test.cpp)
