@@ -4,27 +4,56 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/geometry.h"
 
 namespace sectile {
 
+/// The plane of three points, for several questions: its normal in doubles, and what the products
+/// of each coordinate of it sum up to.
+class NormalOfThree {
+ public:
+  NormalOfThree() = default;
+  NormalOfThree(const Vec3& a, const Vec3& b, const Vec3& c) : corner(a) {
+    const double u[3] = {b.x - a.x, b.y - a.y, b.z - a.z}, v[3] = {c.x - a.x, c.y - a.y, c.z - a.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = k < 2 ? k + 1 : 0, j = i < 2 ? i + 1 : 0;
+      const double left = u[i] * v[j], right = u[j] * v[i];
+      normal[k] = left - right;
+      size[k] = std::abs(left) + std::abs(right);
+    }
+  }
+
+  /// Are the points certainly not in one line?
+  bool clearly_bent() const {
+    // Three roundings of half an ulp in each product, and one of the difference.
+    const auto is_off = [&](std::size_t k) {
+      return size[k] > 0x1p-700 && size[k] < 0x1p700 && std::abs(normal[k]) > 8 * 0x1p-53 * size[k];
+    };
+    return is_off(0) || is_off(1) || is_off(2);
+  }
+
+  /// Is d certainly not in the plane?
+  bool clearly_off(const Vec3& d) const {
+    const double w[3] = {d.x - corner.x, d.y - corner.y, d.z - corner.z};
+    const double reach = std::max({std::abs(w[0]), std::abs(w[1]), std::abs(w[2])});
+    const double value = w[0] * normal[0] + w[1] * normal[1] + w[2] * normal[2];
+    const double sum =
+        std::abs(w[0]) * size[0] + std::abs(w[1]) * size[1] + std::abs(w[2]) * size[2];
+    // Three roundings of differences, two of products, one of the normal and two of sums, of 2^-53
+    // each: less than nine. Underflow of products is nothing beside a sum of that order.
+    return reach < 0x1p200 && sum > 0x1p-700 && std::abs(value) > 9 * 0x1p-53 * sum;
+  }
+
+  Vec3 corner;  ///< one of the points
+  std::array<double, 3> normal = {}, size = {};
+};
+
 /// Is d certainly not in the plane of the others?
 inline bool clearly_off_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const double u[3] = {a.x - d.x, a.y - d.y, a.z - d.z}, v[3] = {b.x - d.x, b.y - d.y, b.z - d.z},
-               w[3] = {c.x - d.x, c.y - d.y, c.z - d.z};
-  double value = 0, size = 0, reach = 0;
-  for (int k = 0; k < 3; ++k) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    const double left = v[i] * w[j], right = v[j] * w[i];
-    value += u[k] * (left - right);
-    size += std::abs(u[k]) * (std::abs(left) + std::abs(right));
-    reach = std::max({reach, std::abs(u[k]), std::abs(v[k]), std::abs(w[k])});
-  }
-  // Seven roundings of half an ulp in each term, and two of sums: less than 16 units of 2^-53, with
-  // room. Underflow of products is nothing beside a size of that order.
-  return reach < 0x1p200 && size > 0x1p-700 && std::abs(value) > 16 * 0x1p-53 * size;
+  return NormalOfThree(a, b, c).clearly_off(d);
 }
 
 /// Are four points in one plane? Decided exactly.
@@ -47,15 +76,7 @@ inline bool clearly_off_plane(const Geometry& geometry, PointId point, PlaneId p
 
 /// Are three points certainly not in one line?
 inline bool clearly_bent(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double u[3] = {b.x - a.x, b.y - a.y, b.z - a.z}, v[3] = {c.x - a.x, c.y - a.y, c.z - a.z};
-  for (int k = 0; k < 3; ++k) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    const double left = u[i] * v[j], right = u[j] * v[i], size = std::abs(left) + std::abs(right);
-    // Three roundings of half an ulp in each product, and one of the difference.
-    if (size > 0x1p-700 && size < 0x1p700 && std::abs(left - right) > 8 * 0x1p-53 * size)
-      return true;
-  }
-  return false;
+  return NormalOfThree(a, b, c).clearly_bent();
 }
 
 }  // namespace sectile

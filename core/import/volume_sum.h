@@ -4,28 +4,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/four_points.h"
 #include "numbers/rounding.h"
-#include "sectile/mesh.h"
 
 namespace sectile {
 
 /// Six times the volume between triangles with exact corners and an origin.
 class VolumeSum {
  public:
-  void add(const Vec3& o, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const double p[3] = {a.x - o.x, a.y - o.y, a.z - o.z}, q[3] = {b.x - o.x, b.y - o.y, b.z - o.z},
-                 r[3] = {c.x - o.x, c.y - o.y, c.z - o.z};
+  void add(const Vec3& o, const NormalOfThree& triangle) {
+    const Vec3& a = triangle.corner;
+    const double p[3] = {a.x - o.x, a.y - o.y, a.z - o.z};
     double term = 0;
-    for (int k = 0; k < 3; ++k) {
-      const int i = k < 2 ? k + 1 : 0, j = i < 2 ? i + 1 : 0;
-      const double left = q[i] * r[j], right = q[j] * r[i];
-      term += p[k] * (left - right);
-      weight_ += std::abs(p[k]) * (std::abs(left) + std::abs(right));
+    for (std::size_t k = 0; k < 3; ++k) {
+      term += p[k] * triangle.normal[k];
+      weight_ += std::abs(p[k]) * triangle.size[k];
       reach_ = std::max(reach_, std::abs(p[k]));
     }
     value_ += term;
     size_ += std::abs(term);
     ++terms_;
+  }
+  void add(const Vec3& o, const Vec3& a, const Vec3& b, const Vec3& c) {
+    add(o, NormalOfThree(a, b, c));
   }
   friend VolumeSum operator+(const VolumeSum& a, const VolumeSum& b) {
     VolumeSum sum;
