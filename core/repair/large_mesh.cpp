@@ -11,8 +11,12 @@ class Resolver {
  public:
   Resolver(TriangleShells&& read, Rule rule, std::uint32_t origin,
            const arrangement::Steering& steering)
-      : shells_(std::move(read.shells)), rule_(rule), origin_(origin), steering_(steering) {
-    made_.input_vertex = std::move(read.input_vertex);
+      : read_(std::move(read)),
+        shells_(read_.shells),
+        rule_(rule),
+        origin_(origin),
+        steering_(steering) {
+    made_.input_vertex = std::move(read_.input_vertex);
   }
 
   LargeMesh run() {
@@ -20,7 +24,7 @@ class Resolver {
     steering_.step(0.1);
     std::vector<std::uint32_t> shell_of;
     for (std::uint32_t s = 0; s < shells_.size(); ++s) {
-      const std::vector<std::uint32_t>& source = shells_[s].source;
+      const auto& source = shells_[s].source;
       shell_of.insert(shell_of.end(), source.size(), s);
       made_.source.insert(made_.source.end(), source.begin(), source.end());
     }
@@ -38,7 +42,7 @@ class Resolver {
   // False where the shells are flat in large part, or folded onto themselves.
   bool find_flat_parts() {
     try {
-      for (const TriangleMesh& shell : shells_) {
+      for (TriangleMesh& shell : shells_) {
         std::optional<FlatPart> part = flat_part_of(shell, origin_);
         if (!part) return false;
         parts_.push_back(*std::move(part));
@@ -52,7 +56,7 @@ class Resolver {
   // By the rule `odd`, what lies in two shells is empty.
   bool nothing_may_cross() const { return shells_.size() > 1 && rule_ == Rule::odd; }
 
-  std::vector<FacePairContact> find_contacts(std::span<const std::uint32_t> shell_of) const {
+  std::vector<FacePairContact> find_contacts(std::span<const std::uint32_t> shell_of) {
     SelfTestControl control{steering_.cancel, {}};
     control.is_enough = [&](std::uint32_t f, std::uint32_t g) {
       return nothing_may_cross() || shell_of[f] == shell_of[g];
@@ -60,18 +64,16 @@ class Resolver {
     if (steering_.progress)
       control.progress = [this](double done) { steering_.progress(0.1 + 0.3 * done); };
     const TriangleSurface surface = surface_of(shells_, parts_);
-    Geometry& geometry = *shells_.front().geometry;
-    add_planes(surface, geometry);
-    std::vector<FacePairContact> contacts = face_contacts(surface, Kernel(geometry), control);
-    geometry.planes.clear();
-    return contacts;
+    const Geometry geometry = geometry_of(shells_.front(), surface);
+    return face_contacts(surface, Kernel(geometry), control);
   }
 
   std::vector<Solid> solids() {
     constexpr std::span<const std::uint32_t> all_alike;
     std::vector<Solid> made;
     for (std::size_t s = 0; s < shells_.size(); ++s)
-      made.emplace_back(boundary_of(shells_[s], std::move(parts_[s]), origin_, all_alike));
+      made.emplace_back(
+          boundary_of(std::move(shells_[s]), std::move(parts_[s]), origin_, all_alike));
     return made;
   }
 
@@ -84,7 +86,8 @@ class Resolver {
     return all;
   }
 
-  std::vector<TriangleMesh> shells_;
+  TriangleShells read_;
+  std::vector<TriangleMesh>& shells_;
   std::vector<FlatPart> parts_;
   Rule rule_;
   std::uint32_t origin_;

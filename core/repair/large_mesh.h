@@ -9,7 +9,7 @@ namespace sectile {
 struct LargeMesh {
   std::optional<ShellsUnited> united;  ///< of polygons in the order of the curve, `source` of each
   std::vector<std::uint32_t> source;
-  std::vector<std::uint32_t> input_vertex;  ///< per point: its first position
+  std::vector<std::uint32_t> input_vertex;  ///< per point: its first position; empty: the same
   /// Nothing but an arrangement resolves it.
   bool is_tangled = false;
 };

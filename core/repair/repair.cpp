@@ -118,7 +118,9 @@ class Repairer {
     steering_.step(0.05);
   }
 
+  // Nothing is said where all are different.
   void note_united(const std::vector<std::uint32_t>& input_vertex) {
+    if (input_vertex.empty()) return;
     const std::size_t united = mesh_.positions.size() - input_vertex.size();
     if (united == 0) return;
     // The first one that is not the first at its place.

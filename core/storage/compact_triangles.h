@@ -22,7 +22,14 @@ struct CompactTriangles {
   std::vector<Triangle> triangles;  ///< per face
   std::uint32_t half_edge_count = 0, border_count = 0;  ///< see storage/block.h
   std::uint32_t origin = 0;                             ///< FaceSource::solid
-  bool hangs_together = false;  ///< over its edges, as is known; it may also if this is not set
+  /// The pieces that hang together over edges, numbered by their first triangles; 0 if nobody has
+  /// looked.
+  std::uint32_t piece_count = 0;
+  std::vector<std::uint8_t> piece;  ///< per triangle; empty if there is one
+
+  std::uint32_t piece_of(std::uint32_t triangle) const {
+    return piece.empty() ? 0 : piece[triangle];
+  }
 };
 
 Brep make_brep(const CompactTriangles& of);

@@ -17,8 +17,9 @@ Pieces::Pieces(const Brep& brep, std::uint32_t border_count) {
 }
 
 Pieces::Pieces(const CompactTriangles& triangles) {
-  if (triangles.hangs_together) {
-    count_ = 1;
+  if (triangles.piece_count > 0) {
+    count_ = triangles.piece_count;
+    of_face_.assign(triangles.piece.begin(), triangles.piece.end());
     return;
   }
   std::vector<std::uint16_t> face(triangles.half_edge_count);

@@ -1,23 +1,14 @@
 #include "import/triangles/flat_part.h"
 
 #include <algorithm>
-#include <atomic>
 
-#include "geometry/four_points.h"
-#include "parallel/parallel.h"
+#include "import/triangles/read_chunks.h"
 #include "search/id_map.h"
 #include "topology/open_ends.h"
 #include "topology/vertex_cycles.h"
 
 namespace sectile {
 namespace {
-
-// Is the triangle beyond an edge in the same plane?
-bool is_flat(const TriangleMesh& mesh, std::uint32_t corner) {
-  const std::uint32_t next = TriangleMesh::next(corner), prev = TriangleMesh::prev(corner);
-  return in_one_plane(mesh.position(corner), mesh.position(next), mesh.position(prev),
-                      mesh.position(TriangleMesh::prev(mesh.mate[corner])));
-}
 
 class PartBuilder {
  public:
@@ -76,7 +67,7 @@ class PartBuilder {
 
   PointId point(PointId p) {
     std::uint32_t& known = points_[p.value()];
-    if (known == IdMap::none) known = part_.geometry.add_point(mesh_.geometry->position(p)).value();
+    if (known == IdMap::none) known = part_.geometry.add_point(mesh_.position(p)).value();
     return PointId(known);
   }
 
@@ -111,23 +102,23 @@ class PartBuilder {
 FlatPart find_flat_part(const TriangleMesh& mesh) {
   FlatPart part;
   part.holds.assign(mesh.triangle_count(), 0);
-  const auto note = [&](std::uint32_t corner) {
-    std::atomic_ref(part.holds[corner / 3]).store(1, std::memory_order_relaxed);
-  };
-  const auto count = static_cast<std::uint32_t>(mesh.corners.size());
-  parallel::loop(tbb::blocked_range<std::uint32_t>(0, count, 4096), [&](const auto& range) {
-    for (std::uint32_t corner = range.begin(); corner < range.end(); ++corner) {
-      if (mesh.mate[corner] < corner || !is_flat(mesh, corner)) continue;
-      note(corner);
-      note(mesh.mate[corner]);
+  const auto add = [&](const std::vector<std::uint32_t>& triangles) {
+    for (const std::uint32_t t : triangles) {
+      if (part.holds[t] == 0) part.triangles.push_back(t);
+      part.holds[t] = 1;
     }
-  });
-  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t)
-    if (part.holds[t]) part.triangles.push_back(t);
+  };
+  add(mesh.borders.flat);
+  for (const TriangleChunk& chunk : mesh.chunks) add(chunk.flat);
+  std::sort(part.triangles.begin(), part.triangles.end());
   return part;
 }
 
-void build_flat_part(const TriangleMesh& mesh, std::uint32_t origin, FlatPart& part) {
+void build_flat_part(TriangleMesh& mesh, std::uint32_t origin, FlatPart& part) {
+  std::vector<std::uint32_t> chunks;
+  for (const std::uint32_t t : part.triangles)
+    if (chunks.empty() || t >= mesh.chunk_end(chunks.back())) chunks.push_back(mesh.chunk_of(t));
+  find_mates(mesh, chunks);
   PartBuilder(mesh, origin, part).run();
 }
 

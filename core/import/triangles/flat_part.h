@@ -19,7 +19,8 @@ struct FlatPart {
 /// Without brep and geometry.
 FlatPart find_flat_part(const TriangleMesh& mesh);
 
-/// The brep and the geometry of a part whose triangles are known.
-void build_flat_part(const TriangleMesh& mesh, std::uint32_t origin, FlatPart& part);
+/// The brep and the geometry of a part whose triangles are known. Of chunks with any of these, the
+/// mesh knows the mates from here on.
+void build_flat_part(TriangleMesh& mesh, std::uint32_t origin, FlatPart& part);
 
 }  // namespace sectile

@@ -13,7 +13,7 @@ struct TriangleBlocks {
 
 /// One block per chunk, of all its triangles that are not in the part. Links to the part lead
 /// nowhere yet.
-TriangleBlocks make_triangle_blocks(const TriangleMesh& mesh, const FlatPart& part,
+TriangleBlocks make_triangle_blocks(TriangleMesh&& mesh, const FlatPart& part,
                                     std::uint32_t origin);
 
 }  // namespace sectile
