@@ -93,8 +93,8 @@ TEST(TriangleChunks, KnowWhichTrianglesAreInOnePlaneWithNeighbours) {
   for_each_cut(pyramid, [](const TriangleMesh& mesh, const auto& shells) {
     ASSERT_TRUE(shells);
     std::vector<std::uint32_t> flat = mesh.borders.flat;
-    for (const TriangleChunk& chunk : mesh.chunks)
-      flat.insert(flat.end(), chunk.flat.begin(), chunk.flat.end());
+    for (std::uint32_t c = 0; c < mesh.chunk_count(); ++c)
+      for (const std::uint32_t t : mesh.chunks[c].flat) flat.push_back(mesh.chunk_begin(c) + t);
     std::sort(flat.begin(), flat.end());
     EXPECT_EQ(flat, (std::vector<std::uint32_t>{4, 5}));
   });

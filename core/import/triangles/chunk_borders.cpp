@@ -51,7 +51,7 @@ class BorderMatcher {
     borders_.beyond.resize(borders);
     lines_.resize(borders + std::size_t(chords));
     for_each(mesh_.chunk_count(), 32, [&](std::uint32_t c) {
-      TriangleChunk& chunk = mesh_.chunks[c];
+      const TriangleChunk& chunk = mesh_.chunks[c];
       std::ranges::copy(chunk.chords, lines_.begin() + borders + first_chord[c]);
       for (std::uint32_t number = 0; number < chunk.borders.size(); ++number) {
         const std::uint32_t b = borders_.at({c, number});
@@ -60,8 +60,6 @@ class BorderMatcher {
         borders_.beyond[b].chunk = none;
         lines_[b] = line_between(borders_.all[b].from, borders_.all[b].to);
       }
-      chunk.borders = {};
-      chunk.chords = {};
     });
   }
 

@@ -11,8 +11,7 @@ bool ChunkReader::read(const TriangleMesh& mesh, std::uint32_t chunk,
   corners_ = static_cast<std::uint16_t>(3 * (mesh.chunk_end(chunk) - first_));
   gather(mesh);
   // All chunks have one origin for their volumes.
-  const std::uint32_t origin = mesh.input_corners[3 * std::size_t(mesh.source[0])];
-  if (!measure(mesh.position(PointId(origin))) || !match()) return false;
+  if (!measure(mesh.position(PointId(mesh.input_corners[0]))) || !match()) return false;
   number_half_edges();
   if (!has_plain_vertices()) return false;
   find_flat_edges();
@@ -126,7 +125,7 @@ void ChunkReader::find_flat_edges() {
     const Vec3& d = position(prev(mate_[i]));
     if (normal_[i / 3u].clearly_off(d)) continue;
     if (in_one_plane(position(i), position(next(i)), position(prev(i)), d))
-      result_->flat.insert(result_->flat.end(), {first_ + i / 3u, first_ + mate_[i] / 3u});
+      result_->flat.insert(result_->flat.end(), {i / 3u, mate_[i] / 3u});
   }
 }
 

@@ -102,14 +102,15 @@ class PartBuilder {
 FlatPart find_flat_part(const TriangleMesh& mesh) {
   FlatPart part;
   part.holds.assign(mesh.triangle_count(), 0);
-  const auto add = [&](const std::vector<std::uint32_t>& triangles) {
+  const auto add = [&](const std::vector<std::uint32_t>& triangles, std::uint32_t first) {
     for (const std::uint32_t t : triangles) {
-      if (part.holds[t] == 0) part.triangles.push_back(t);
-      part.holds[t] = 1;
+      if (part.holds[first + t] == 0) part.triangles.push_back(first + t);
+      part.holds[first + t] = 1;
     }
   };
-  add(mesh.borders.flat);
-  for (const TriangleChunk& chunk : mesh.chunks) add(chunk.flat);
+  add(mesh.borders.flat, 0);
+  for (std::uint32_t c = 0; c < mesh.chunk_count(); ++c)
+    add(mesh.chunks[c].flat, mesh.chunk_begin(c));
   std::sort(part.triangles.begin(), part.triangles.end());
   return part;
 }

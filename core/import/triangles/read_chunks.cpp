@@ -18,13 +18,17 @@ void for_each_range_of_chunks(const TriangleMesh& mesh, const Body& body) {
   parallel::loop(tbb::blocked_range<std::uint32_t>(0, mesh.chunk_count(), 8), body);
 }
 
-bool read_chunks(ChunkReaders& readers, std::span<std::uint32_t> marks, TriangleMesh& mesh) {
+bool read_chunks(ChunkReaders& readers, std::span<TriangleChunk* const> known,
+                 std::span<std::uint32_t> marks, TriangleMesh& mesh) {
   mesh.chunks.resize(mesh.chunk_count());
   std::atomic<bool> plain = true;
   for_each_range_of_chunks(mesh, [&](const auto& range) {
     readers.lend([&](ChunkReader& reader) {
       for (std::uint32_t c = range.begin(); c < range.end() && plain; ++c)
-        if (!reader.read(mesh, c, marks, mesh.chunks[c])) plain = false;
+        if (!known.empty() && known[c])
+          mesh.chunks[c] = std::move(*known[c]);
+        else if (!reader.read(mesh, c, marks, mesh.chunks[c]))
+          plain = false;
     });
   });
   return plain;
@@ -90,7 +94,7 @@ void find_mates_in(TriangleMesh& mesh, std::uint32_t chunk) {
 std::optional<ShellOfTriangle> read_surface(ChunkReaders& readers, TriangleMesh& mesh) {
   constexpr std::uint32_t none = 0xFFFFFFFFu;
   std::vector<std::uint32_t> marks(mesh.positions.size(), none);
-  if (!read_chunks(readers, marks, mesh) || !match_borders(mesh)) return {};
+  if (!read_chunks(readers, {}, marks, mesh) || !match_borders(mesh)) return {};
   ShellOfTriangle shells;
   bool is_plain = false;
   parallel::invoke([&] { shells = ShellFinder(mesh).run(); },
@@ -99,8 +103,8 @@ std::optional<ShellOfTriangle> read_surface(ChunkReaders& readers, TriangleMesh&
   return shells;
 }
 
-void read_shell(ChunkReaders& readers, TriangleMesh& mesh) {
-  if (!read_chunks(readers, {}, mesh) || !match_borders(mesh))
+void read_shell(ChunkReaders& readers, std::span<TriangleChunk* const> known, TriangleMesh& mesh) {
+  if (!read_chunks(readers, known, {}, mesh) || !match_borders(mesh))
     throw InternalError("a shell of a closed surface is not closed");
 }
 

@@ -23,8 +23,9 @@ struct ShellOfTriangle {
 /// None if any may have no area, or the mesh is not a surface with two triangles at each edge and
 /// one cycle of triangles around each point.
 std::optional<ShellOfTriangle> read_surface(ChunkReaders& readers, TriangleMesh& mesh);
-/// The same, where it is known to be such a surface.
-void read_shell(ChunkReaders& readers, TriangleMesh& mesh);
+/// The same, where it is known to be such a surface. `known` has the chunks that were read before,
+/// as chunks of a mesh around the shell, and nothing for the others.
+void read_shell(ChunkReaders& readers, std::span<TriangleChunk* const> known, TriangleMesh& mesh);
 
 /// Sets `corners` and `mate` of all chunks, or of some, once all are read.
 void find_mates(TriangleMesh& mesh);

@@ -43,7 +43,7 @@ struct TriangleChunk {
   std::vector<ChunkBorder> borders;  ///< as they are numbered in the block
   /// The lines of all other edges between points that may be in other chunks, too.
   std::vector<std::uint64_t> chords;
-  /// Those of the mesh that are in one plane with a neighbour in the chunk, maybe several times.
+  /// Those in one plane with a neighbour in the chunk, counted within it, maybe several times.
   std::vector<std::uint32_t> flat;
   std::uint32_t points_within = 0;  ///< around which all triangles are in the chunk
   VolumeSum volume;

@@ -105,11 +105,31 @@ class ShellReader {
   void take_apart(const ShellOfTriangle& shells, const Keys& keys) {
     made_.shells.resize(shells.count);
     std::vector<Keys> keys_of(shells.count);
-    for (std::size_t t = 0; t < keys.size(); ++t) keys_of[shells.of[t]].push_back(keys[t]);
+    std::vector<std::vector<std::uint32_t>> place_of(shells.count);
+    for (std::uint32_t t = 0; t < keys.size(); ++t) {
+      keys_of[shells.of[t]].push_back(keys[t]);
+      place_of[shells.of[t]].push_back(t);
+    }
     parallel::loop(0, shells.count, [&](std::size_t s) {
       put_in_order(keys_of[s], made_.shells[s]);
-      read_shell(readers_, made_.shells[s]);
+      read_shell(readers_, known_chunks(made_.shells[s], place_of[s]), made_.shells[s]);
     });
+  }
+
+  // Where no other shell is near, chunks of all triangles are chunks of one shell. `places` has the
+  // number of each of its triangles among all.
+  std::vector<TriangleChunk*> known_chunks(const TriangleMesh& shell,
+                                           const std::vector<std::uint32_t>& places) {
+    std::vector<TriangleChunk*> known;
+    for (std::uint32_t c = 0; c < shell.chunk_count(); ++c) {
+      const std::uint32_t first = places[shell.chunk_begin(c)],
+                          last = places[shell.chunk_end(c) - 1], chunk = mesh_.chunk_of(first);
+      const bool is_same = mesh_.chunk_begin(chunk) == first &&
+                           mesh_.chunk_end(chunk) == last + 1 &&
+                           last - first == shell.chunk_end(c) - 1 - shell.chunk_begin(c);
+      known.push_back(is_same ? &mesh_.chunks[chunk] : nullptr);
+    }
+    return known;
   }
 
   const SoupView& soup_;
