@@ -17,25 +17,41 @@ class OnceFlag {
   /// throws, the next call runs it.
   template <class Body>
   void run(const Body& body) {
-    if (done()) return;
-    for (;;) {
+    if (enter()) leave_after(body, State::done);
+  }
+
+  /// Runs a body that looks at what is there before anything is found out, unless that is done; it
+  /// is not done meanwhile. Returns whether the body was run.
+  template <class Body>
+  bool run_before(const Body& body) {
+    if (!enter()) return false;
+    leave_after(body, State::open);
+    return true;
+  }
+
+ private:
+  enum class State : std::uint8_t { open, running, done };
+
+  // False if it is done.
+  bool enter() {
+    while (!done()) {
       State now = State::open;
-      if (state_.compare_exchange_strong(now, State::running, std::memory_order_acquire)) break;
-      if (now == State::done) return;
-      state_.wait(State::running, std::memory_order_acquire);
+      if (state_.compare_exchange_strong(now, State::running, std::memory_order_acquire))
+        return true;
+      if (now == State::running) state_.wait(State::running, std::memory_order_acquire);
     }
+    return false;
+  }
+  template <class Body>
+  void leave_after(const Body& body, State state) {
     try {
       body();
     } catch (...) {
       leave(State::open);
       throw;
     }
-    leave(State::done);
+    leave(state);
   }
-
- private:
-  enum class State : std::uint8_t { open, running, done };
-
   void leave(State state) {
     state_.store(state, std::memory_order_release);
     state_.notify_all();

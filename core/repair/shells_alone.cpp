@@ -136,8 +136,7 @@ std::vector<std::uint32_t> unused_faces(const SolidData& data,
   };
   const auto is_used = [&](std::uint32_t face) { return face < used.size() && used[face] != 0; };
   for (const Slot& slot : data.slots())
-    if (!slot.empty())
-      for (const FaceSource& from : slot.block->brep().source) use(from.face);
+    if (!slot.empty()) slot.block->for_each_source([&](const FaceSource& from) { use(from.face); });
   if (as_read)
     for (const FacesAsRead::Triangle& t : as_read->triangles)
       if (is_used(t.joined)) use(t.source);

@@ -58,6 +58,18 @@ class Block {
   std::size_t loop_count() const;
   std::size_t vertex_count() const;
 
+  /// Calls visit(FaceSource) for each face. Makes no structure.
+  template <class Visit>
+  void for_each_source(const Visit& visit) const {
+    const auto of_triangles = [&] {
+      const CompactTriangles& made_of = *structure_->triangles;
+      for (const auto& triangle : made_of.triangles)
+        visit(FaceSource{made_of.origin, triangle.source});
+    };
+    if (structure_->is_late && structure_->once.run_before(of_triangles)) return;
+    for (const FaceSource& source : structure_->brep.source) visit(source);
+  }
+
   void set_touching_vertices(std::vector<VertexId> vertices);
   void set_bounds(const Box& bounds);
 

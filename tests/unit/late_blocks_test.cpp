@@ -52,6 +52,35 @@ TEST(LateBlocks, SoDoesACutInAnImageOfTheImport) {
   EXPECT_EQ(cut, transformed(boolean(large_ball(), tool, Operation::subtract), turn));
 }
 
+std::vector<FaceSource> sources_of(const Solid& solid) {
+  std::vector<FaceSource> sources;
+  for (const Slot& slot : solid.data()->slots())
+    if (!slot.empty())
+      slot.block->for_each_source([&](const FaceSource& from) { sources.push_back(from); });
+  return sources;
+}
+
+TEST(LateBlocks, TellWhatTheirFacesComeFromWithoutAStructure) {
+  const Solid ball = large_ball();
+  const std::vector<FaceSource> told = sources_of(ball);
+  EXPECT_LT(share_with_structure(ball), 0.05);
+  std::vector<FaceSource> made;
+  for (const Slot& slot : ball.data()->slots())
+    if (!slot.empty())
+      made.insert(made.end(), slot.block->brep().source.begin(), slot.block->brep().source.end());
+  EXPECT_EQ(told, made);
+  EXPECT_EQ(sources_of(ball), made);
+}
+
+// What is looked into is what lies near the crossing.
+TEST(LateBlocks, ARepairMakesThoseNearTheCrossingOnly) {
+  PolygonMesh other = tube(120, 150, true, on_ball);
+  for (Vec3& p : other.positions) p = {p.x + 0.41, p.y + 0.23, p.z + 0.17};
+  const Solid united = repair(both(tube(120, 150, true, on_ball), other));
+  EXPECT_LT(share_with_structure(united), 0.7);
+  EXPECT_EQ(united.counts().shells, 1u);
+}
+
 TEST(LateBlocks, TheirStructureIsThatOfABoundary) {
   const Solid ball = large_ball();
   EXPECT_TRUE(broken_links(ball.data()->whole().brep(), false).empty());

@@ -30,6 +30,17 @@ TEST(OnceFlag, OfManyThreadsOneRunsTheBodyAndTheOthersWaitForItsEnd) {
   }
 }
 
+TEST(OnceFlag, WhatLooksBeforeIsRunUntilItIsDone) {
+  OnceFlag flag;
+  int looked = 0;
+  EXPECT_TRUE(flag.run_before([&] { ++looked; }));
+  EXPECT_TRUE(flag.run_before([&] { ++looked; }));
+  EXPECT_FALSE(flag.done());
+  flag.run([] {});
+  EXPECT_FALSE(flag.run_before([&] { ++looked; }));
+  EXPECT_EQ(looked, 2);
+}
+
 TEST(OnceFlag, WhatThrowsIsRunAgainByTheNextThatAsks) {
   OnceFlag flag;
   int tries = 0;
