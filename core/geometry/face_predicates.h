@@ -29,6 +29,16 @@ class FacePredicates {
     const Sign sign = kernel_.turn(corners_[i], corners_[j], corners_[k], axis_);
     return behind_ ? -sign : sign;
   }
+  /// Zero if doubles do not tell.
+  Sign clear_turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+    const Geometry& g = kernel_.geometry();
+    const PointId p = corners_[i], q = corners_[j], r = corners_[k];
+    const Estimate turn =
+        Kernel::estimated_turn(g.position(p), g.position(q), g.position(r), axis_,
+                               g.is_explicit(p) && g.is_explicit(q) && g.is_explicit(r));
+    if (!turn.decided()) return Sign::zero;
+    return behind_ ? -turn.sign() : turn.sign();
+  }
   /// About where a corner is seen.
   std::array<double, 2> seen(std::uint32_t i) const {
     const Vec3& p = kernel_.geometry().position(corners_[i]);

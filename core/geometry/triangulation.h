@@ -26,6 +26,33 @@ concept CornerPredicates = requires(const T& exact, std::uint32_t corner) {
   { exact.turn(corner, corner, corner) } -> std::same_as<Sign>;
 };
 
+/// Predicates that tell which turns are clear at once, from rounded places: clear_turn(i, j, k) is
+/// zero if that takes more.
+template <class T>
+concept ClearPredicates = requires(const T& exact, std::uint32_t corner) {
+  { exact.clear_turn(corner, corner, corner) } -> std::same_as<Sign>;
+};
+
+template <ClearPredicates Predicates>
+struct ClearTurns {
+  const Predicates& exact;
+  Sign turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+    return exact.clear_turn(i, j, k);
+  }
+};
+
+/// Cuts ears off a loop of few corners: if that is enough, ears that are clear, and no slivers at
+/// corners of nearly 180°, whose turns take most of the time and which any rounding turns over.
+template <CornerPredicates Predicates>
+bool cut_ears(const Predicates& exact, std::uint32_t corners,
+              std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  if constexpr (ClearPredicates<Predicates>) {
+    const ClearTurns<Predicates> clear{exact};
+    if (EarClipping(clear, corners).run(triangles)) return true;
+  }
+  return EarClipping(exact, corners).run(triangles);
+}
+
 /// Appends triangles that cover a region exactly once: of positive area, counter-clockwise, as
 /// three corner numbers. Loop k has the corners loop_ends[k - 1] to loop_ends[k] - 1; the region
 /// lies to the left of every edge. Loops may touch themselves and each other in places and on
@@ -46,7 +73,7 @@ void triangulate(const Predicates& exact, std::span<const std::uint32_t> loop_en
       triangles.push_back({0, 1, 2});
       return;
     }
-    if (loop_ends[0] > 3 && EarClipping(exact, loop_ends[0]).run(triangles)) return;
+    if (loop_ends[0] > 3 && cut_ears(exact, loop_ends[0], triangles)) return;
   }
   RegionSweep(exact, loop_ends, triangles).run();
 }
