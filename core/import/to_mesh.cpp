@@ -7,6 +7,7 @@
 #include "import/face_triangles.h"
 #include "parallel/parallel.h"
 #include "sectile/solid.h"
+#include "storage/block_elements.h"
 #include "storage/block_triangles.h"
 #include "storage/faces_as_read.h"
 #include "storage/moved_solid.h"
@@ -146,11 +147,9 @@ PolygonMesh mesh_of(const SolidData& data, BlockTriangles triangles,
   parallel::loop(0, data.slots().size(), [&](std::size_t i) {
     const auto s = static_cast<std::uint32_t>(i);
     if (data.slot(s).empty()) return;
-    const Block& block = *data.slot(s).block;
-    for (const VertexId v : block.brep().vertices())
-      if (triangles.owns(s, v))
-        mesh.positions[triangles.vertex(s, v)] =
-            block.geometry().position(block.brep().point_of(v));
+    BlockElements(*data.slot(s).block).each_vertex([&](std::uint32_t v, const Vec3& p, bool) {
+      if (triangles.owns(s, VertexId(v))) mesh.positions[triangles.vertex(s, VertexId(v))] = p;
+    });
   });
   mesh.indices = std::move(triangles.indices);
   sources = std::move(triangles.source);

@@ -60,6 +60,7 @@ Block::Block(std::shared_ptr<const Block> original, std::shared_ptr<const Geomet
     : border_count(original->border_count),
       structure_(original->structure_),
       is_late_(true),
+      is_image_(true),
       original_(std::move(original)),
       mover_(std::move(mover)) {
   set_touching_vertices(original_->touching_vertices());
@@ -67,10 +68,7 @@ Block::Block(std::shared_ptr<const Block> original, std::shared_ptr<const Geomet
 }
 
 void Block::Structure::make() {
-  once.run([this] {
-    brep = make_brep(*triangles);
-    triangles.reset();
-  });
+  once.run([this] { brep = make_brep(*triangles); });
 }
 
 void Block::make_geometry() const {

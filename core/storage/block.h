@@ -53,6 +53,10 @@ class Block {
 
   // Known without a structure.
   bool has_structure() const { return !structure_->is_late || structure_->once.done(); }
+  /// Of what the structure is made, or will be: none if it was not made of triangles.
+  const CompactTriangles* compact_triangles() const { return structure_->triangles.get(); }
+  /// Are its points the images of those of another block?
+  bool is_image() const { return is_image_; }
   std::size_t face_count() const;
   std::size_t half_edge_count() const;
   std::size_t loop_count() const;
@@ -99,7 +103,7 @@ class Block {
     Brep brep;
     bool is_late = false;  // made of triangles, when it is first asked for
     OnceFlag once;
-    std::shared_ptr<const CompactTriangles> triangles;  // until then
+    std::shared_ptr<const CompactTriangles> triangles;  // of which it is made; written from
     // Of what is late.
     std::uint32_t faces = 0, half_edges = 0, vertices = 0;
     OnceFlag pieces_once;
@@ -111,7 +115,7 @@ class Block {
 
   std::shared_ptr<Structure> structure_;
   mutable Geometry geometry_;
-  bool is_late_ = false;
+  bool is_late_ = false, is_image_ = false;
   // Of what the geometry is made, until it is: of triangles, or as the image of another.
   mutable std::shared_ptr<const CompactTriangles> triangles_;
   mutable std::shared_ptr<const Block> original_;

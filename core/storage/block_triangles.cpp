@@ -7,6 +7,7 @@
 #include "geometry/triangulation.h"
 #include "parallel/parallel.h"
 #include "sectile/errors.h"
+#include "storage/block_elements.h"
 #include "storage/vertex_sets.h"
 
 namespace sectile {
@@ -48,16 +49,12 @@ class FaceCutter {
     points_.clear();
     vertices_.clear();
     ends_.clear();
-    sides_.clear();
     for (LoopId l = brep_.outer_loop[f]; l.valid(); l = brep_.next_loop[l]) {
-      const auto begin = static_cast<std::uint32_t>(points_.size());
       for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
         vertices_.push_back(brep_.from(h));
         points_.push_back(brep_.point_of(brep_.from(h)));
       });
-      const auto end = static_cast<std::uint32_t>(points_.size());
-      for (std::uint32_t i = begin; i < end; ++i) add_side(i + 1 < end ? i + 1 : begin, i);
-      ends_.push_back(end);
+      ends_.push_back(static_cast<std::uint32_t>(points_.size()));
     }
     const PlaneId plane = brep_.plane[f];
     const int axis = kernel_->main_axis(plane);
@@ -69,8 +66,6 @@ class FaceCutter {
     } catch (const InternalError&) {  // the loops bound no simple region
       return false;
     }
-    for (const auto& t : numbers_)
-      for (std::size_t k = 0; k < 3; ++k) add_side(t[k], t[(k + 1) % 3]);
     if (!all_matched()) return false;
     for (const auto& t : numbers_)
       result_.triangles.push_back({vertices_[t[0]], vertices_[t[slot_.turned ? 2 : 1]],
@@ -79,11 +74,15 @@ class FaceCutter {
     return true;
   }
 
-  void add_side(std::uint32_t from, std::uint32_t to) {
-    sides_.push_back({std::min(from, to), std::max(from, to), from < to});
-  }
   // Each side of a triangle once the other way, on another triangle or, turned, on the border.
   bool all_matched() {
+    sides_.clear();
+    for (std::uint32_t begin = 0; const std::uint32_t end : ends_) {
+      for (std::uint32_t i = begin; i < end; ++i) add_side(i + 1 < end ? i + 1 : begin, i);
+      begin = end;
+    }
+    for (const auto& t : numbers_)
+      for (std::size_t k = 0; k < 3; ++k) add_side(t[k], t[k < 2 ? k + 1 : 0]);
     std::sort(sides_.begin(), sides_.end());
     if (sides_.size() % 2 != 0) return false;
     for (std::size_t i = 0; i < sides_.size(); i += 2) {
@@ -92,6 +91,9 @@ class FaceCutter {
       if (i > 0 && sides_[i - 1].low == a.low && sides_[i - 1].high == a.high) return false;
     }
     return true;
+  }
+  void add_side(std::uint32_t from, std::uint32_t to) {
+    sides_.push_back({std::min(from, to), std::max(from, to), from < to});
   }
 
   const Slot& slot_;
@@ -124,7 +126,8 @@ class Collector {
     polygons_.resize(slots_.size());
     std::vector<std::uint8_t> whole(slots_.size(), 1);
     parallel::loop(0, slots_.size(), [&](std::size_t s) {
-      if (!slots_[s].empty()) whole[s] = FaceCutter(slots_[s], polygons_[s]).run();
+      if (slots_[s].empty() || BlockElements(*slots_[s].block).compact()) return;
+      whole[s] = FaceCutter(slots_[s], polygons_[s]).run();
     });
     return std::find(whole.begin(), whole.end(), 0) == whole.end();
   }
@@ -134,16 +137,15 @@ class Collector {
     for (std::size_t s = 0; s < slots_.size(); ++s) {
       result_.first_triangle.push_back(triangles);
       if (slots_[s].empty()) continue;
-      const Brep& brep = slots_[s].block->brep();
-      triangles += static_cast<std::uint32_t>(brep.face_count() - polygons_[s].face_end.size() +
-                                              polygons_[s].triangles.size());
-      for (std::uint32_t i = 0; i < polygons_[s].triangles.size(); ++i)
-        result_.cut.push_back(triangles - 1 - i);
+      triangles +=
+          static_cast<std::uint32_t>(slots_[s].block->face_count() - polygons_[s].face_end.size() +
+                                     polygons_[s].triangles.size());
+      for (std::size_t i = polygons_[s].triangles.size(); i > 0; --i)
+        result_.cut.push_back(triangles - static_cast<std::uint32_t>(i));
     }
     result_.first_triangle.push_back(triangles);
     result_.indices.resize(3 * std::size_t(triangles));
     result_.source.resize(triangles);
-    std::sort(result_.cut.begin(), result_.cut.end());
   }
 
   void number_vertices() {
@@ -160,6 +162,27 @@ class Collector {
 
   // Triangles first, then what other faces were cut into.
   void write(std::uint32_t s) {
+    const BlockElements elements(*slots_[s].block);
+    if (const CompactTriangles* compact = elements.compact())
+      write(s, *compact);
+    else
+      write_structure(s);
+  }
+
+  void write(std::uint32_t s, const CompactTriangles& compact) {
+    const std::uint32_t* const number = result_.number.data() + result_.first_vertex[s];
+    const std::size_t first = slots_[s].turned ? 1 : 0, second = 1 - first;
+    std::uint32_t* index = result_.indices.data() + 3 * std::size_t(result_.first_triangle[s]);
+    FaceSource* source = result_.source.data() + result_.first_triangle[s];
+    for (const auto& t : compact.triangles) {
+      *index++ = number[t.vertex[first]];
+      *index++ = number[t.vertex[second]];
+      *index++ = number[t.vertex[2]];
+      *source++ = {compact.origin, t.source};
+    }
+  }
+
+  void write_structure(std::uint32_t s) {
     const Slot& slot = slots_[s];
     const Brep& brep = slot.block->brep();
     std::uint32_t t = result_.first_triangle[s];
@@ -168,6 +191,7 @@ class Collector {
         result_.indices[3 * std::size_t(t) + k] = result_.vertex(s, corners[k]);
       result_.source[t++] = source;
     };
+    const CutFaces& polygons = polygons_[s];
     std::vector<std::uint32_t> others;
     for (std::uint32_t f = 0; f < brep.face_count(); ++f) {
       if (!is_triangle(brep, FaceId(f))) {
@@ -178,7 +202,6 @@ class Collector {
                        c = slot.next_of(b);
       add({slot.from(a), slot.from(b), slot.from(c)}, brep.source[FaceId(f)]);
     }
-    const CutFaces& polygons = polygons_[s];
     std::uint32_t i = 0;
     for (std::size_t k = 0; k < others.size(); ++k)
       for (; i < polygons.face_end[k]; ++i)

@@ -1,5 +1,6 @@
 // The triangles of a block in as few bytes as will do. Its structure and its geometry are made of
-// them when they are first asked for: most blocks of a large import never are.
+// them when they are first asked for: most blocks of a large import never are. They are written
+// from these.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 #include "storage/element_counts.h"
 
+#include "storage/block_elements.h"
 #include "storage/vertex_sets.h"
 
 namespace sectile {
@@ -25,11 +26,20 @@ std::size_t shell_count(const SolidData& solid) {
   CountedSets sets(pieces.count);
   for (std::uint32_t s = 0; s < slots.size(); ++s) {
     if (!slots[s].links) continue;
-    const std::uint32_t own = slots[s].block->pieces().count();
-    for (std::uint32_t p = 0; p < own; ++p)
-      for (const BorderLinks::Neighbour& n : slots[s].links->neighbours(*slots[s].block, p))
-        sets.unite(pieces.first[s] + p,
-                   pieces.first[s + static_cast<std::uint32_t>(n.slots)] + n.piece);
+    const Block& block = *slots[s].block;
+    const bool several = block.pieces().count() > 1;
+    const std::vector<FaceId> faces =
+        several ? BlockElements(block).faces_at_border() : std::vector<FaceId>();
+    const std::vector<BorderLink>& links = slots[s].links->all();
+    for (std::uint32_t b = 0; b < links.size(); ++b) {
+      if (links[b].slots < 0) continue;  // the neighbour tells
+      if (!several && b > 0 && links[b].slots == links[b - 1].slots &&
+          links[b].piece == links[b - 1].piece)
+        continue;
+      const std::uint32_t own = several ? block.pieces().of(faces[b]) : 0;
+      sets.unite(pieces.first[s] + own,
+                 pieces.first[s + static_cast<std::uint32_t>(links[b].slots)] + links[b].piece);
+    }
   }
   return sets.count();
 }

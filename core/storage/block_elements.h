@@ -1,0 +1,75 @@
+// What is written of a block: of triangles that came in together as they came, without making their
+// structure.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "storage/block.h"
+
+namespace sectile {
+
+/// Elements have their numbers in the block; half-edges run as they do there.
+class BlockElements {
+ public:
+  explicit BlockElements(const Block& block)
+      : block_(block), triangles_(block.compact_triangles()) {}
+
+  /// None if the block was not made of triangles.
+  const CompactTriangles* compact() const { return triangles_; }
+
+  /// Calls visit(vertex, position, is_exact) for all vertices, ascending.
+  template <class Visit>
+  void each_vertex(const Visit& visit) const {
+    if (triangles_ && !block_.is_image()) {
+      for (std::uint32_t v = 0; v < triangles_->positions.size(); ++v)
+        visit(v, triangles_->positions[v], true);
+      return;
+    }
+    const Geometry& g = block_.geometry();
+    const auto count = static_cast<std::uint32_t>(block_.vertex_count());
+    for (std::uint32_t v = 0; v < count; ++v) {
+      const PointId p = triangles_ ? PointId(v) : block_.brep().point_of(VertexId(v));
+      visit(v, g.position(p), g.is_explicit(p));
+    }
+  }
+
+  /// Calls visit(border edge, from, to) with the vertices of all edges that leave the block, as
+  /// they run around its own faces.
+  template <class Visit>
+  void each_border_edge(const Visit& visit) const {
+    if (!triangles_) {
+      const Brep& brep = block_.brep();
+      for (std::uint32_t b = 0; b < block_.border_count; ++b) {
+        const HalfEdgeId h(2 * b);
+        visit(b, brep.from(h).value(), brep.to(h).value());
+      }
+      return;
+    }
+    for (const auto& t : triangles_->triangles)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (t.half_edge[k] < 2 * block_.border_count)
+          visit(t.half_edge[k] / 2u, std::uint32_t(t.vertex[k]),
+                std::uint32_t(t.vertex[k < 2 ? k + 1 : 0]));
+  }
+
+  /// Per border edge: the face that it belongs to.
+  std::vector<FaceId> faces_at_border() const {
+    std::vector<FaceId> faces(block_.border_count);
+    if (!triangles_) {
+      for (std::uint32_t b = 0; b < faces.size(); ++b)
+        faces[b] = block_.brep().face_of(HalfEdgeId(2 * b));
+      return faces;
+    }
+    for (std::size_t f = 0; f < triangles_->triangles.size(); ++f)
+      for (const std::uint16_t h : triangles_->triangles[f].half_edge)
+        if (h < 2 * block_.border_count) faces[h / 2u] = FaceId(f);
+    return faces;
+  }
+
+ private:
+  const Block& block_;
+  const CompactTriangles* triangles_;
+};
+
+}  // namespace sectile
