@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "geometry/geometry.h"
+#include "numbers/sign.h"
 
 namespace sectile {
 
@@ -35,8 +36,9 @@ class NormalOfThree {
     return is_off(0) || is_off(1) || is_off(2);
   }
 
-  /// Is d certainly not in the plane?
-  bool clearly_off(const Vec3& d) const {
+  /// On which side of the plane d certainly is: positive where the points turn left as seen from d.
+  /// Zero if doubles do not tell.
+  Sign clear_side(const Vec3& d) const {
     const double w[3] = {d.x - corner.x, d.y - corner.y, d.z - corner.z};
     const double reach = std::max({std::abs(w[0]), std::abs(w[1]), std::abs(w[2])});
     const double value = w[0] * normal[0] + w[1] * normal[1] + w[2] * normal[2];
@@ -44,12 +46,21 @@ class NormalOfThree {
         std::abs(w[0]) * size[0] + std::abs(w[1]) * size[1] + std::abs(w[2]) * size[2];
     // Three roundings of differences, two of products, one of the normal and two of sums, of 2^-53
     // each: less than nine. Underflow of products is nothing beside a sum of that order.
-    return reach < 0x1p200 && sum > 0x1p-700 && std::abs(value) > 9 * 0x1p-53 * sum;
+    if (reach < 0x1p200 && sum > 0x1p-700 && std::abs(value) > 9 * 0x1p-53 * sum)
+      return sign_of(value);
+    return Sign::zero;
   }
+
+  /// Is d certainly not in the plane?
+  bool clearly_off(const Vec3& d) const { return clear_side(d) != Sign::zero; }
 
   Vec3 corner;  ///< one of the points
   std::array<double, 3> normal = {}, size = {};
 };
+
+inline Sign clear_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return NormalOfThree(a, b, c).clear_side(d);
+}
 
 /// Is d certainly not in the plane of the others?
 inline bool clearly_off_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "rounding/enclosed_volume.h"
 #include "rounding/rounded_triangles.h"
 #include "rounding/rounding_repair.h"
+#include "rounding/unclear_triangles.h"
 #include "rounding/wrong_shell.h"
 
 namespace sectile {
@@ -40,8 +40,7 @@ class PlainRounding {
 
  private:
   bool make_legal() {
-    Triangles suspects = mesh_.unsettled(), looked_at = mesh_.around(suspects);
-    looked_at = united(looked_at, mesh_.cut());  // at their area
+    Triangles suspects = unclear_triangles(mesh_), looked_at = mesh_.around(suspects);
     for (int round = 0; round < most_rounds; ++round) {
       steps_.check();
       const std::optional<Triangles> faulty = find_faulty(std::move(looked_at), suspects);
@@ -53,11 +52,9 @@ class PlainRounding {
     return false;
   }
 
-  // Vertices that were joined may have ended a shell, or divided it.
   bool shells_stay() const {
-    if (result_.report.merged > 0) return false;
-    return (mesh_.one_shell() && clearly_encloses_volume(mesh_.positions(), mesh_.indices())) ||
-           mesh_.shells_stay();
+    return mesh_.shells_stay() || (mesh_.one_shell() && result_.report.merged == 0 &&
+                                   clearly_encloses_volume(mesh_.positions(), mesh_.indices()));
   }
 
   // Every pair with a suspect is tested. What decides about such a pair is near, too. Nothing if
@@ -98,14 +95,6 @@ class PlainRounding {
       result_.report.largest_at = repair.widest_flip_at();
     }
     return true;
-  }
-
-  // Of two ascending lists.
-  static Triangles united(const Triangles& a, const Triangles& b) {
-    Triangles all;
-    all.reserve(a.size() + b.size());
-    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
-    return all;
   }
 
   // What is too large for the numbers is refused where the whole is looked at.

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <span>
 
 #include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
 #include "search/bucket_sort.h"
+#include "storage/block_elements.h"
 #include "storage/element_counts.h"
 
 namespace sectile {
@@ -72,8 +74,8 @@ RoundedTriangles::RoundedTriangles(const SolidData& data, BlockTriangles triangl
       moved_at_(triangles_.vertex_count, none),
       is_changed_(size(), 0),
       is_gone_(size(), 0),
-      gone_to_(triangles_.vertex_count, none),
-      bounds_(data.slots().size()) {
+      bounds_(data.slots().size()),
+      has_unsettled_(data.slots().size(), 0) {
   round(data, grid);
 }
 
@@ -83,26 +85,41 @@ void RoundedTriangles::round(const SolidData& data, const RoundingGrid& grid) {
   parallel::loop(0, slots.size(), [&](std::size_t i) {
     const auto s = static_cast<std::uint32_t>(i);
     if (slots[s].empty()) return;
-    const Brep& brep = slots[s].block->brep();
-    const Geometry& g = slots[s].block->geometry();
+    const bool stays = grid.has_all_doubles();  // but for what doubles cannot hold
     Bounds bounds;
-    for (const VertexId v : brep.vertices()) {
-      const PointId p = brep.point_of(v);
-      const Vec3& from = g.position(p);
-      const Vec3 to = grid.nearest(from);
-      bounds.add(to);
-      if (!triangles_.owns(s, v)) continue;
-      const std::uint32_t number = triangles_.vertex(s, v);
-      positions_[number] = to;
-      if (!g.is_explicit(p) || !(to == from)) moved[s].push_back({number, from, g.is_explicit(p)});
-    }
-    bounds_[s] = bounds.box();
+    BlockElements(*slots[s].block)
+        .each_vertex([&](std::uint32_t v, const Vec3& from, bool is_exact) {
+          const Vec3 to = stays ? from : grid.nearest(from);
+          if (!stays) bounds.add(to);
+          if (!triangles_.owns(s, VertexId(v))) return;
+          const std::uint32_t number = triangles_.vertex(s, VertexId(v));
+          positions_[number] = to;
+          if (!is_exact || !(to == from)) moved[s].push_back({number, from, is_exact});
+        });
+    bounds_[s] = stays ? slots[s].block->bounds() : bounds.box();
   });
+  note_what_moved(moved);
+  note_swept();
+}
+
+void RoundedTriangles::note_what_moved(const std::vector<std::vector<Moved>>& moved) {
   for (const auto& some : moved)
     for (const Moved& m : some) {
       moved_at_[m.vertex] = static_cast<std::uint32_t>(moved_.size());
       moved_.push_back(m);
     }
+  const auto& first = triangles_.first_vertex;
+  for (std::size_t s = 0; s < first.size(); ++s) {
+    const auto of_slot =
+        std::span(triangles_.number)
+            .subspan(first[s],
+                     (s + 1 < first.size() ? first[s + 1] : triangles_.number.size()) - first[s]);
+    has_unsettled_[s] = std::any_of(of_slot.begin(), of_slot.end(),
+                                    [&](std::uint32_t v) { return moved_at_[v] != none; });
+  }
+}
+
+void RoundedTriangles::note_swept() {
   const Triangles swept = unsettled();
   swept_.resize(swept.size());
   for_each(swept.size(), [&](std::size_t i) {
@@ -144,7 +161,8 @@ RoundedTriangles::Triangles RoundedTriangles::select(const SlotWanted& slot_want
 }
 
 RoundedTriangles::Triangles RoundedTriangles::unsettled() const {
-  return select(any_slot, [&](std::uint32_t t) { return is_unsettled(t); });
+  return select([&](std::size_t s) { return has_unsettled_[s] != 0; },
+                [&](std::uint32_t t) { return is_unsettled(t); });
 }
 
 bool RoundedTriangles::is_unsettled(std::uint32_t t) const {
@@ -269,6 +287,7 @@ Box RoundedTriangles::with_places(const Bounds& bounds) {
 }
 
 bool RoundedTriangles::shells_stay() const {
+  if (swept_.empty()) return true;
   const BoxTree tree(swept_);
   const auto stays = [&](const Box& own) {
     bool any = false;
@@ -281,24 +300,27 @@ bool RoundedTriangles::shells_stay() const {
     slot_stays[s] =
         triangles_.first_triangle[s] < triangles_.first_triangle[s + 1] && stays(bounds_[s]);
   });
-  if (one_shell_ && std::find(slot_stays.begin(), slot_stays.end(), 1) != slot_stays.end())
+  if (one_shell_ && !any_gone_ &&
+      std::find(slot_stays.begin(), slot_stays.end(), 1) != slot_stays.end())
     return true;
   DisjointSets shells(positions_.size());
   for (std::uint32_t t = 0; t < size(); ++t) {
+    if (is_gone_[t] != 0) continue;
     const Corners c = corners(t);
     shells.unite(c[0], c[1]);
     shells.unite(c[0], c[2]);
   }
-  std::vector<std::uint8_t> shell_stays(positions_.size(), 0);
+  enum : std::uint8_t { not_there, unknown, known_to_stay };
+  std::vector<std::uint8_t> shell_is(positions_.size(), not_there);
   for (std::uint32_t s = 0; s < bounds_.size(); ++s)
     for (std::uint32_t t = triangles_.first_triangle[s]; t < triangles_.first_triangle[s + 1];
          ++t) {
-      std::uint8_t& known = shell_stays[shells.first(corners(t)[0])];
-      if (known == 0) known = slot_stays[s] != 0 || (!is_unsettled(t) && stays(box(t)));
+      if (is_gone_[t] != 0) continue;
+      std::uint8_t& shell = shell_is[shells.first(corners(t)[0])];
+      if (shell != known_to_stay)
+        shell = slot_stays[s] != 0 || (!is_unsettled(t) && stays(box(t))) ? known_to_stay : unknown;
     }
-  for (std::uint32_t v = 0; v < positions_.size(); ++v)
-    if (shells.first(v) == v && shell_stays[v] == 0) return false;
-  return true;
+  return std::find(shell_is.begin(), shell_is.end(), unknown) == shell_is.end();
 }
 
 void RoundedTriangles::note_moved(std::uint32_t vertex, const Vec3& from, bool was_exact) {
@@ -314,7 +336,10 @@ RoundedTriangles::Triangles RoundedTriangles::take_back(const MeshPart& part,
   for (std::uint32_t i = 0; i < part.vertex.size(); ++i) {
     const std::uint32_t v = part.vertex[i];
     before.push_back(positions_[v]);
-    if (gone_to[i] != i) gone_to_[v] = part.vertex[gone_to[i]];
+    if (gone_to[i] != i) {
+      gone_to_.resize(positions_.size(), none);
+      gone_to_[v] = part.vertex[gone_to[i]];
+    }
     if (gone_to[i] != i || !(r.position(i) == positions_[v]))
       note_moved(v, r.origin[i], r.is_exact[i] != 0);
     positions_[v] = r.position(i);
@@ -325,6 +350,12 @@ RoundedTriangles::Triangles RoundedTriangles::take_back(const MeshPart& part,
     if (r.alive[i] == 0) {
       any_gone_ = true;
       is_gone_[t] = 1;
+      Bounds swept;
+      for (const std::uint32_t v : part.corners[i]) {
+        swept.add(before[v]);
+        swept.add(r.position(gone_to[v]));
+      }
+      swept_.push_back(with_places(swept));
       continue;
     }
     const Corners was = part.corners[i], is = r.corners[i];
@@ -341,7 +372,9 @@ RoundedTriangles::Triangles RoundedTriangles::take_back(const MeshPart& part,
     swept_.push_back(with_places(swept));
     triangles_.source[t] = r.source[i];
     is_changed_[t] = 1;
-    bounds_[slot_of(t)].add(box(t));
+    const std::size_t slot = slot_of(t);
+    has_unsettled_[slot] = 1;
+    bounds_[slot].add(box(t));
     changed.push_back(t);
   }
   return changed;

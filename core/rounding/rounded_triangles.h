@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "rounding/rounded_surface.h"
@@ -36,9 +37,11 @@ class RoundedTriangles {
     const std::size_t i = 3 * std::size_t(t);
     return {triangles_.indices[i], triangles_.indices[i + 1], triangles_.indices[i + 2]};
   }
+  const FaceSource& source(std::uint32_t t) const { return triangles_.source[t]; }
   /// Where a vertex is now, or the one to which it was joined.
   const Vec3& position(std::uint32_t vertex) const {
-    while (gone_to_[vertex] != none) vertex = gone_to_[vertex];
+    if (!gone_to_.empty())
+      while (gone_to_[vertex] != none) vertex = gone_to_[vertex];
     return positions_[vertex];
   }
   const std::vector<Vec3>& positions() const { return positions_; }
@@ -48,6 +51,13 @@ class RoundedTriangles {
   const std::vector<Moved>& moved() const { return moved_; }
   /// Those of faces with more than three corners.
   const Triangles& cut() const { return triangles_.cut; }
+  std::size_t slot_count() const { return bounds_.size(); }
+  /// Of a slot: the first one, and the end.
+  std::pair<std::uint32_t, std::uint32_t> triangles(std::size_t slot) const {
+    return {triangles_.first_triangle[slot], triangles_.first_triangle[slot + 1]};
+  }
+  const Box& bounds(std::size_t slot) const { return bounds_[slot]; }
+  Box box(std::uint32_t t) const;
 
   /// Those with a corner that is not at its place, or changed since.
   Triangles unsettled() const;
@@ -76,6 +86,8 @@ class RoundedTriangles {
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
   void round(const SolidData& data, const RoundingGrid& grid);
+  void note_what_moved(const std::vector<std::vector<Moved>>& moved);
+  void note_swept();
   void note_moved(std::uint32_t vertex, const Vec3& from, bool was_exact);
   void drop_what_is_gone();
   Vec3 place_of(std::uint32_t vertex) const {
@@ -85,7 +97,6 @@ class RoundedTriangles {
   std::vector<std::uint8_t> marks(const Triangles& triangles) const;
   std::vector<std::uint32_t> number_vertices(MeshPart& part) const;
   void add_vertices(MeshPart& part) const;
-  Box box(std::uint32_t t) const;
   template <class SlotWanted, class Wanted>
   Triangles select(const SlotWanted& slot_wanted, const Wanted& wanted) const;
   std::size_t slot_of(std::uint32_t t) const;
@@ -97,10 +108,11 @@ class RoundedTriangles {
   std::vector<std::uint32_t> moved_at_;   // per vertex: index of the above, or none
   std::vector<std::uint8_t> is_changed_;  // per triangle
   std::vector<std::uint8_t> is_gone_;     // per triangle
-  std::vector<std::uint32_t> gone_to_;    // per vertex that was joined to another one; or none
+  std::vector<std::uint32_t> gone_to_;    // per vertex: to which it was joined, or none; if any was
   bool any_gone_ = false;
-  std::vector<Box> swept_;   // of what triangles passed through
-  std::vector<Box> bounds_;  // per slot
+  std::vector<Box> swept_;                   // of what triangles passed through
+  std::vector<Box> bounds_;                  // per slot
+  std::vector<std::uint8_t> has_unsettled_;  // per slot: may it have some?
 };
 
 }  // namespace sectile

@@ -14,8 +14,11 @@ class RoundingGrid {
   /// Throws Error if the spacing is no positive number.
   explicit RoundingGrid(const Rounding& rounding);
 
+  bool has_all_doubles() const { return numbers_ == Rounding::Numbers::doubles; }
   double nearest(double value) const;
-  Vec3 nearest(const Vec3& p) const { return {nearest(p.x), nearest(p.y), nearest(p.z)}; }
+  Vec3 nearest(const Vec3& p) const {
+    return has_all_doubles() ? p : Vec3{nearest(p.x), nearest(p.y), nearest(p.z)};
+  }
   /// The distance between numbers of the size of the point's largest coordinate.
   double step(const Vec3& p) const;
 

@@ -1,6 +1,7 @@
 // Blocks of a large import are triangles until somebody asks for their structure.
 #include <gtest/gtest.h>
 
+#include "sectile/rounding.h"
 #include "sectile/sectile.h"
 #include "storage/solid_data.h"
 #include "topology/links.h"
@@ -79,6 +80,24 @@ TEST(LateBlocks, ARepairMakesThoseNearTheCrossingOnly) {
   const Solid united = repair(both(tube(120, 150, true, on_ball), other));
   EXPECT_LT(share_with_structure(united), 0.7);
   EXPECT_EQ(united.counts().shells, 1u);
+}
+
+TEST(LateBlocks, AreWrittenAsTheyCame) {
+  const Solid ball = large_ball(), tool = tool_at_its_side();
+  const Solid cut = boolean(ball, tool, Operation::subtract);
+  EXPECT_EQ(cut.to_mesh().face_sizes.size(), rounded_mesh(cut).mesh.face_sizes.size());
+  EXPECT_LT(share_with_structure(ball), 0.1);
+  EXPECT_LT(share_with_structure(cut), 0.1);
+}
+
+TEST(LateBlocks, AreWrittenTheWayRoundThatTheyHave) {
+  const Solid ball = large_ball(), box = block({-2, -2, -2}, {2, 2, 2});
+  const Solid hollow = boolean(box, ball, Operation::subtract);
+  const Solid mirrored = transformed(ball, Transform{{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}});
+  for (const Solid& solid : {ball, hollow, mirrored}) {
+    EXPECT_EQ(Solid::from_mesh(solid.to_mesh()), solid);
+    EXPECT_EQ(Solid::from_mesh(rounded_mesh(solid).mesh), solid);
+  }
 }
 
 TEST(LateBlocks, TheirStructureIsThatOfABoundary) {

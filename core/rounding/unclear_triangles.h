@@ -1,0 +1,13 @@
+// What is left for the exact test when corners were rounded.
+#pragma once
+
+#include "rounding/rounded_triangles.h"
+
+namespace sectile {
+
+/// Of a mesh in which nothing was changed yet, ascending. Pairs with none of them meet in common
+/// corners only, and triangles without area are among them. As a rule there are hardly any: doubles
+/// tell of most pairs that rounding did no harm.
+RoundedTriangles::Triangles unclear_triangles(const RoundedTriangles& mesh);
+
+}  // namespace sectile

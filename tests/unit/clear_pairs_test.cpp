@@ -1,0 +1,167 @@
+// Pairs of triangles of which doubles tell that they meet in common corners only, against exact
+// rational numbers.
+#include "rounding/clear_pairs.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+namespace sectile {
+namespace {
+
+using Point = std::array<std::int64_t, 3>;
+using Corners = std::array<Point, 3>;
+
+std::int64_t volume(const Point& a, const Point& b, const Point& c, const Point& d) {
+  std::int64_t u[3], v[3], w[3];
+  for (std::size_t k = 0; k < 3; ++k) u[k] = a[k] - d[k], v[k] = b[k] - d[k], w[k] = c[k] - d[k];
+  return u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) +
+         u[2] * (v[0] * w[1] - v[1] * w[0]);
+}
+
+int sign(std::int64_t value) {
+  return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+// On which side of the edge from p to q, in the plane of a triangle with this normal?
+int beside(const Point& p, const Point& q, const Point& at, const Point& normal) {
+  Point u, v;
+  for (std::size_t k = 0; k < 3; ++k) u[k] = q[k] - p[k], v[k] = at[k] - p[k];
+  return sign(normal[0] * (u[1] * v[2] - u[2] * v[1]) + normal[1] * (u[2] * v[0] - u[0] * v[2]) +
+              normal[2] * (u[0] * v[1] - u[1] * v[0]));
+}
+
+Point normal_of(const Corners& t) {
+  Point u, v;
+  for (std::size_t k = 0; k < 3; ++k) u[k] = t[1][k] - t[0][k], v[k] = t[2][k] - t[0][k];
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
+// Has the segment, but for its ends that are corners of the triangle, a point in it?
+bool meets(const Point& from, const Point& to, const Corners& t) {
+  const auto is_corner = [&](const Point& p) { return p == t[0] || p == t[1] || p == t[2]; };
+  const int a = sign(volume(t[0], t[1], t[2], from)), b = sign(volume(t[0], t[1], t[2], to));
+  if (a * b > 0) return false;
+  const Point n = normal_of(t);
+  if (a == 0 && b == 0) {  // in its plane: beyond an edge, or all of it on one side of both ends
+    if (is_corner(from) && is_corner(to)) return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point &p = t[i], &q = t[(i + 1) % 3];
+      const int f = beside(p, q, from, n), g = beside(p, q, to, n);
+      if ((f < 0 && (g < 0 || (g == 0 && is_corner(to)))) || (g < 0 && f == 0 && is_corner(from)))
+        return false;
+    }
+    int left = 0, right = 0, on = 0;
+    for (const Point& c : t) {
+      const int s = beside(from, to, c, n);
+      left += s > 0;
+      right += s < 0;
+      on += s == 0 && c != from && c != to;
+    }
+    return (left > 0 && right > 0) || on > 0;
+  }
+  if ((a == 0 && is_corner(from)) || (b == 0 && is_corner(to))) return false;
+  // Where it crosses the plane: on which side of each edge?
+  int inside = 0, outside = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int s = sign(volume(from, to, t[i], t[(i + 1) % 3]));
+    inside += s > 0;
+    outside += s < 0;
+  }
+  return inside == 0 || outside == 0;
+}
+
+bool meet_in_more(const Corners& s, const Corners& t) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (meets(s[i], s[(i + 1) % 3], t) || meets(t[i], t[(i + 1) % 3], s)) return true;
+  return false;
+}
+
+class Pairs {
+ public:
+  /// The first corners of both are the same.
+  std::pair<Corners, Corners> next(std::size_t common, std::int64_t size) {
+    std::pair<Corners, Corners> pair{triangle(size), triangle(size)};
+    for (std::size_t i = 0; i < common; ++i) pair.second[i] = pair.first[i];
+    return pair;
+  }
+
+ private:
+  Corners triangle(std::int64_t size) {
+    Corners t;
+    for (Point& p : t)
+      for (std::int64_t& c : p) c = static_cast<std::int64_t>(random_() % std::uint64_t(size));
+    return t;
+  }
+  std::mt19937_64 random_{23};
+};
+
+// Each point has a number of its own.
+PlacedTriangle placed(const Corners& t, double scale) {
+  PlacedTriangle result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.vertex[i] = static_cast<std::uint32_t>((t[i][0] * 1024 + t[i][1]) * 1024 + t[i][2]);
+    result.at[i] = {double(t[i][0]) * scale, double(t[i][1]) * scale, double(t[i][2]) * scale};
+  }
+  return result;
+}
+
+TEST(ClearPairs, MeetInCommonCornersOnly) {
+  Pairs pairs;
+  for (const std::int64_t size : {3, 5, 20, 1000})
+    for (const std::size_t common : {0u, 1u, 2u})
+      for (const double scale : {1.0, 0x1p-40, 0x1p300, 0x1p-400}) {
+        int told = 0;
+        for (int i = 0; i < 5000; ++i) {
+          const auto [s, t] = pairs.next(common, size);
+          const PlacedTriangle first = placed(s, scale), second = placed(t, scale);
+          const TriangleView view = clear_view(first);
+          EXPECT_TRUE(!view.clear() || normal_of(s) != (Point{0, 0, 0}));
+          if (!view.clear() || !clearly_meet_in_corners(first, view, second)) continue;
+          ++told;
+          EXPECT_FALSE(normal_of(t) != (Point{0, 0, 0}) && meet_in_more(s, t))
+              << "size " << size << ", " << common << " in common, pair " << i;
+        }
+        if (scale == 1.0) {
+          EXPECT_GT(told, 500) << "size " << size << ", " << common << " in common";
+        }
+      }
+}
+
+// Of those that meet in nothing else, and whose planes and edges are clear of each other.
+TEST(ClearPairs, NearlyAllAreTold) {
+  Pairs pairs;
+  for (const std::size_t common : {0u, 1u, 2u}) {
+    int apart = 0, told = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const auto [s, t] = pairs.next(common, 1000);
+      if (meet_in_more(s, t)) continue;
+      ++apart;
+      const PlacedTriangle first = placed(s, 1 / 3.0), second = placed(t, 1 / 3.0);
+      told += clearly_meet_in_corners(first, clear_view(first), second);
+    }
+    EXPECT_GT(told, 0.99 * apart) << common << " in common";
+    EXPECT_GT(apart, 1000);
+  }
+}
+
+TEST(ClearPairs, NeighboursInOnePlaneAreTold) {
+  const PlacedTriangle s{{0, 1, 2}, {Vec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  const TriangleView view = clear_view(s);
+  ASSERT_TRUE(view.clear());
+  EXPECT_TRUE(clearly_meet_in_corners(s, view, {{2, 1, 3}, {Vec3{0, 1, 0}, {1, 0, 0}, {1, 1, 0}}}));
+  EXPECT_TRUE(
+      clearly_meet_in_corners(s, view, {{0, 2, 4}, {Vec3{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}}}));
+  EXPECT_TRUE(
+      clearly_meet_in_corners(s, view, {{0, 4, 5}, {Vec3{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}}}));
+  EXPECT_FALSE(clearly_meet_in_corners(  // folded back
+      s, view, {{2, 1, 3}, {Vec3{0, 1, 0}, {1, 0, 0}, {0.25, 0.25, 0}}}));
+  EXPECT_FALSE(clearly_meet_in_corners(  // another vertex at the same place
+      s, view, {{6, 4, 5}, {Vec3{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}}}));
+}
+
+}  // namespace
+}  // namespace sectile
