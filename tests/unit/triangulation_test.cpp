@@ -64,6 +64,44 @@ TEST(triangulation, nearly_straight_corners_are_not_cut_off) {
   }
 }
 
+// Exact turns take a while.
+struct CountedTurns : GridPredicates {
+  std::size_t& exact_turns;
+  Sign turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+    ++exact_turns;
+    return GridPredicates::turn(i, j, k);
+  }
+  Sign clear_turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+    const std::int64_t area = area2(points[i], points[j], points[k]);
+    return std::abs(area) > 1 << 26 ? sign_of_integer(area) : Sign::zero;
+  }
+};
+
+TEST(triangulation, clear_ears_need_no_exact_turns) {
+  constexpr std::int64_t far = 1 << 24;
+  for (const std::int64_t bend : {-1, 0, 1}) {
+    Loop loop{{0, 0}, {far / 4, bend}, {far / 2, 0}, {far, 0}, {far / 2, far / 2}};
+    for (std::size_t turn = 0; turn < loop.size(); ++turn) {
+      const Region region({loop});
+      std::size_t exact_turns = 0;
+      Triangles triangles;
+      triangulate(CountedTurns{region.predicates(), exact_turns}, region.loop_ends, triangles);
+      expect_covers(region, triangles);
+      EXPECT_EQ(exact_turns, 0u);
+      std::rotate(loop.begin(), loop.begin() + 1, loop.end());
+    }
+  }
+}
+
+TEST(triangulation, what_has_no_clear_ears_is_cut_exactly) {
+  const Region region({{{0, 0}, {4, 1}, {8, 0}, {4, 9}}});
+  std::size_t exact_turns = 0;
+  Triangles triangles;
+  triangulate(CountedTurns{region.predicates(), exact_turns}, region.loop_ends, triangles);
+  expect_covers(region, triangles);
+  EXPECT_GT(exact_turns, 0u);
+}
+
 TEST(triangulation, holes) {
   expect_triangulated(Region({square(0, 0, 9), square_hole(3, 3, 3)}), 8);
   expect_triangulated(Region({square_hole(1, 1, 1), square(0, 0, 9), square_hole(5, 5, 2)}), 14);
