@@ -52,9 +52,15 @@ class PlainRounding {
     return false;
   }
 
+  // Where most corners moved, hardly any triangle stays.
   bool shells_stay() const {
-    return mesh_.shells_stay() || (mesh_.one_shell() && result_.report.merged == 0 &&
-                                   clearly_encloses_volume(mesh_.positions(), mesh_.indices()));
+    const bool most_moved = 2 * mesh_.moved().size() > mesh_.positions().size();
+    return (most_moved && is_one_shell_around_volume()) || mesh_.shells_stay() ||
+           (!most_moved && is_one_shell_around_volume());
+  }
+  bool is_one_shell_around_volume() const {
+    return mesh_.one_shell() && result_.report.merged == 0 &&
+           clearly_encloses_volume(mesh_.positions(), mesh_.indices());
   }
 
   // Every pair with a suspect is tested. What decides about such a pair is near, too. Nothing if
