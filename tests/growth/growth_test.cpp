@@ -354,6 +354,25 @@ TEST(Growth, WritingASphereWithADent) {
   EXPECT_LT(per_face(grid), per_face(whole) / 4);
 }
 
+// Most triangles are written as they came; only those beside the cut are cut, rounded and looked
+// at.
+TEST(Growth, WritingASphereOfWhichLittleWasCut) {
+  const Solid tool = transformed(block({0.9, -0.05, -0.05}, {1.2, 0.05, 0.05}),
+                                 Transform::rotation_degrees({1, 2, 3}, 40));
+  const auto cut = [&](std::size_t n) {
+    return boolean(Solid::from_mesh(sphere_of(n).to_mesh()), tool, Operation::subtract);
+  };
+  const Solid few = cut(20000), many = cut(80000);
+  const auto per_face = [&](const auto& work) {
+    const auto of = [&](const Solid& solid) {
+      return static_cast<double>(steps_of([&] { work(solid); }));
+    };
+    return (of(many) - of(few)) / 60000;
+  };
+  EXPECT_LT(per_face([](const Solid& solid) { rounded_mesh(solid); }), 55);
+  EXPECT_LT(per_face([](const Solid& solid) { solid.to_mesh(); }), 40);
+}
+
 // Only the shells that were cut are tested again.
 TEST(Growth, WritingManyBlocksOfWhichHalfAreCut) {
   EXPECT_LT(growth(
