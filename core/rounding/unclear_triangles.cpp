@@ -16,7 +16,7 @@ namespace {
 // everything if there are still more pairs than these.
 constexpr std::uint8_t most_around_a_corner = 24;
 constexpr std::size_t most_of_a_face = 64;
-constexpr std::size_t pairs_per_triangle = 48, pairs_at_least = 0x4000;
+constexpr std::size_t pairs_per_triangle = 64, pairs_at_least = 0x4000;
 
 class UnclearTriangles {
   using Triangles = RoundedTriangles::Triangles;
