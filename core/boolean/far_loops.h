@@ -1,6 +1,6 @@
 // Of a face with very many loops, those that no contact comes near: they are not loaded. The face
-// is alone in its block, and loops that stay go from there into the result, as they are: if the face
-// is turned around in the result, its slot is.
+// is alone in its block, and loops that stay go from there into the result, as they are: where the
+// face is turned around in the result, its slot is.
 //
 // Whatever lies on both the face and what it may meet is outside of the boxes around these loops,
 // so they count in no test there. What has to be found out about such a loop is to which part of
