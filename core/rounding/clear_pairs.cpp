@@ -143,6 +143,8 @@ TriangleView clear_view(const PlacedTriangle& triangle) {
 
 bool clearly_meet_in_corners(const PlacedTriangle& s, const TriangleView& view,
                              const PlacedTriangle& t) {
+  if (t.vertex[0] == t.vertex[1] || t.vertex[1] == t.vertex[2] || t.vertex[2] == t.vertex[0])
+    return false;
   std::size_t common = 0, in_s = 0, in_t = 0;  // the sum of their numbers
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)

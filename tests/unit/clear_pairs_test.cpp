@@ -163,5 +163,15 @@ TEST(ClearPairs, NeighboursInOnePlaneAreTold) {
       s, view, {{6, 4, 5}, {Vec3{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}}}));
 }
 
+TEST(ClearPairs, WhatHasTwoCornersInOneIsNotTold) {
+  const PlacedTriangle s{{0, 1, 2}, {Vec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  const TriangleView view = clear_view(s);
+  for (std::size_t i = 0; i < 3; ++i) {
+    PlacedTriangle t{{3, 4, 5}, {Vec3{-1, 0, 0}, {0, 0, 5}, {0, 0, 7}}};
+    for (const std::size_t k : {i, (i + 1) % 3}) t.vertex[k] = s.vertex[i], t.at[k] = s.at[i];
+    EXPECT_FALSE(clearly_meet_in_corners(s, view, t));
+  }
+}
+
 }  // namespace
 }  // namespace sectile
