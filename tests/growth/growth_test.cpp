@@ -389,7 +389,7 @@ TEST(Growth, WritingManyBlocksOfWhichHalfAreCut) {
                       boolean(Solid::from_mesh(in_triangles(blocks)), half, Operation::subtract);
                   return [rest] { rounded_mesh(rest); };
                 },
-                400),
+                1600),
             n_log_n);
 }
 
