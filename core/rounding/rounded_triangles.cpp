@@ -81,25 +81,44 @@ RoundedTriangles::RoundedTriangles(const SolidData& data, BlockTriangles triangl
 
 void RoundedTriangles::round(const SolidData& data, const RoundingGrid& grid) {
   const auto slots = data.slots();
+  const bool stay = grid.has_all_doubles();  // but for what doubles cannot hold
   std::vector<std::vector<Moved>> moved(slots.size());
   parallel::loop(0, slots.size(), [&](std::size_t i) {
     const auto s = static_cast<std::uint32_t>(i);
     if (slots[s].empty()) return;
-    const bool stays = grid.has_all_doubles();  // but for what doubles cannot hold
-    Bounds bounds;
-    BlockElements(*slots[s].block)
-        .each_vertex([&](std::uint32_t v, const Vec3& from, bool is_exact) {
-          const Vec3 to = stays ? from : grid.nearest(from);
-          if (!stays) bounds.add(to);
-          if (!triangles_.owns(s, VertexId(v))) return;
-          const std::uint32_t number = triangles_.vertex(s, VertexId(v));
-          positions_[number] = to;
-          if (!is_exact || !(to == from)) moved[s].push_back({number, from, is_exact});
-        });
-    bounds_[s] = stays ? slots[s].block->bounds() : bounds.box();
+    const Block& block = *slots[s].block;
+    if (stay) bounds_[s] = block.bounds();
+    if (stay && block.compact_triangles() && !block.is_image())
+      take_positions(s, block.compact_triangles()->positions);
+    else
+      round(s, block, grid, moved[s]);
   });
   note_what_moved(moved);
   note_swept();
+}
+
+// All are where they were.
+void RoundedTriangles::take_positions(std::uint32_t slot, const std::vector<Vec3>& positions) {
+  const std::uint8_t* const owns = triangles_.owner_.data() + triangles_.first_vertex[slot];
+  const std::uint32_t* const number = triangles_.number.data() + triangles_.first_vertex[slot];
+  Vec3* const to = positions_.data();
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    if (owns[v] != 0) to[number[v]] = positions[v];
+}
+
+void RoundedTriangles::round(std::uint32_t slot, const Block& block, const RoundingGrid& grid,
+                             std::vector<Moved>& moved) {
+  const bool stay = grid.has_all_doubles();
+  Bounds bounds;
+  BlockElements(block).each_vertex([&](std::uint32_t v, const Vec3& from, bool is_exact) {
+    const Vec3 to = stay ? from : grid.nearest(from);
+    if (!stay) bounds.add(to);
+    if (!triangles_.owns(slot, VertexId(v))) return;
+    const std::uint32_t number = triangles_.vertex(slot, VertexId(v));
+    positions_[number] = to;
+    if (!is_exact || !(to == from)) moved.push_back({number, from, is_exact});
+  });
+  if (!stay) bounds_[slot] = bounds.box();
 }
 
 void RoundedTriangles::note_what_moved(const std::vector<std::vector<Moved>>& moved) {
@@ -276,19 +295,24 @@ MeshPart RoundedTriangles::part(Triangles triangles, const Triangles& suspects) 
 }
 
 // The places are off by half an ulp of doubles at most.
-Box RoundedTriangles::with_places(const Bounds& bounds) {
-  constexpr float end = std::numeric_limits<float>::infinity();
-  Box box = bounds.box();
-  for (int k = 0; k < 3; ++k) {
-    box.low[k] = std::nextafterf(box.low[k], -end);
-    box.high[k] = std::nextafterf(box.high[k], end);
-  }
-  return box;
+Box RoundedTriangles::with_places(Bounds bounds) {
+  const auto ulp = [](double value) {
+    return std::abs(value) * 0x1p-52 + std::numeric_limits<double>::denorm_min();
+  };
+  const auto [low, high] = bounds;
+  bounds.low = {low.x - ulp(low.x), low.y - ulp(low.y), low.z - ulp(low.z)};
+  bounds.high = {high.x + ulp(high.x), high.y + ulp(high.y), high.z + ulp(high.z)};
+  return bounds.box();
+}
+
+const BoxTree& RoundedTriangles::swept_tree() const {
+  if (!swept_tree_) swept_tree_.emplace(swept_, std::vector<std::uint32_t>(), swept_along_curve_);
+  return *swept_tree_;
 }
 
 bool RoundedTriangles::shells_stay() const {
   if (swept_.empty()) return true;
-  const BoxTree tree(swept_);
+  const BoxTree& tree = swept_tree();
   const auto stays = [&](const Box& own) {
     bool any = false;
     tree.query([&](const Box& b) { return !any && b.overlaps(own); },
@@ -332,6 +356,8 @@ void RoundedTriangles::note_moved(std::uint32_t vertex, const Vec3& from, bool w
 RoundedTriangles::Triangles RoundedTriangles::take_back(const MeshPart& part,
                                                         const std::vector<std::uint32_t>& gone_to) {
   const RoundedSurface& r = part.rounded;
+  swept_tree_.reset();
+  swept_along_curve_ = false;
   std::vector<Vec3> before;
   for (std::uint32_t i = 0; i < part.vertex.size(); ++i) {
     const std::uint32_t v = part.vertex[i];

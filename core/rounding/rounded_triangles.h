@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -58,6 +59,10 @@ class RoundedTriangles {
   }
   const Box& bounds(std::size_t slot) const { return bounds_[slot]; }
   Box box(std::uint32_t t) const;
+  /// Around all places of the corners of one that is not settled, in their order, and what was
+  /// changed since.
+  const Box& swept(std::size_t i) const { return swept_[i]; }
+  const BoxTree& swept_tree() const;
 
   /// Those with a corner that is not at its place, or changed since.
   Triangles unsettled() const;
@@ -86,6 +91,9 @@ class RoundedTriangles {
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
   void round(const SolidData& data, const RoundingGrid& grid);
+  void round(std::uint32_t slot, const Block& block, const RoundingGrid& grid,
+             std::vector<Moved>& moved);
+  void take_positions(std::uint32_t slot, const std::vector<Vec3>& positions);
   void note_what_moved(const std::vector<std::vector<Moved>>& moved);
   void note_swept();
   void note_moved(std::uint32_t vertex, const Vec3& from, bool was_exact);
@@ -93,7 +101,7 @@ class RoundedTriangles {
   Vec3 place_of(std::uint32_t vertex) const {
     return moved_at_[vertex] == none ? positions_[vertex] : moved_[moved_at_[vertex]].from;
   }
-  static Box with_places(const Bounds& bounds);
+  static Box with_places(Bounds bounds);
   std::vector<std::uint8_t> marks(const Triangles& triangles) const;
   std::vector<std::uint32_t> number_vertices(MeshPart& part) const;
   void add_vertices(MeshPart& part) const;
@@ -110,9 +118,11 @@ class RoundedTriangles {
   std::vector<std::uint8_t> is_gone_;     // per triangle
   std::vector<std::uint32_t> gone_to_;    // per vertex: to which it was joined, or none; if any was
   bool any_gone_ = false;
-  std::vector<Box> swept_;                   // of what triangles passed through
-  std::vector<Box> bounds_;                  // per slot
-  std::vector<std::uint8_t> has_unsettled_;  // per slot: may it have some?
+  std::vector<Box> swept_;                     // of what triangles passed through
+  bool swept_along_curve_ = true;              // as blocks are
+  mutable std::optional<BoxTree> swept_tree_;  // of those, when it was asked for
+  std::vector<Box> bounds_;                    // per slot
+  std::vector<std::uint8_t> has_unsettled_;    // per slot: may it have some?
 };
 
 }  // namespace sectile
