@@ -57,8 +57,9 @@ class OwnerPairs {
     });
     const auto order = [](const At& i) { return std::pair(i.place, i.v); };
     std::ranges::sort(vertices_, {}, order);
-    const auto again = std::ranges::unique(vertices_, {}, order);
-    vertices_.erase(again.begin(), again.end());
+    const auto again = std::unique(vertices_.begin(), vertices_.end(),
+                                   [&](const At& a, const At& b) { return order(a) == order(b); });
+    vertices_.erase(again, vertices_.end());
   }
 
   // One of the vertices for each point at a rounded place: as a rule, there is one point.

@@ -75,10 +75,10 @@ class LineFinder {
 
   void add(const PointPair& edge) {
     for (std::size_t i = first_near_; i < lines_.size(); ++i) {
-      const auto [from, to] = lines_[i].edges.front();
+      const PointPair& first = lines_[i].edges.front();
       const auto is_on = [&](std::uint32_t p) {
-        return p == from || p == to ||
-               are_on_one_line(kernel_, points_[from], points_[to], points_[p]);
+        return p == first.from || p == first.to ||
+               are_on_one_line(kernel_, points_[first.from], points_[first.to], points_[p]);
       };
       if (!is_on(edge.from) || !is_on(edge.to)) continue;
       lines_[i].edges.push_back(edge);

@@ -20,9 +20,10 @@ PlacesOnLine::PlacesOnLine(const Kernel& kernel, std::span<const PointId> points
     const Sign up = kernel.compare(p, q, axis_);
     return up != Sign::zero ? up == Sign::positive : p < q;
   });
-  const auto again = std::ranges::unique(
-      places_, [&](PointId p, PointId q) { return kernel.compare(p, q, axis_) == Sign::zero; });
-  places_.erase(again.begin(), again.end());
+  const auto again = std::unique(places_.begin(), places_.end(), [&](PointId p, PointId q) {
+    return kernel.compare(p, q, axis_) == Sign::zero;
+  });
+  places_.erase(again, places_.end());
 }
 
 std::size_t PlacesOnLine::of(PointId p) const {

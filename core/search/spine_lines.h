@@ -29,7 +29,8 @@ class SpineLines {
   };
   /// Those of one point.
   std::span<const On> of_point(std::uint32_t point) const {
-    const auto [from, to] = std::ranges::equal_range(on_, point, {}, &On::point);
+    const auto from = std::ranges::lower_bound(on_, point, {}, &On::point),
+               to = std::ranges::upper_bound(on_, point, {}, &On::point);
     return {from, to};
   }
   /// The first line on which a point lies, or none.

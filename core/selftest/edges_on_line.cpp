@@ -82,8 +82,10 @@ void EdgesOnLine::find_edges(std::span<const std::uint32_t> triangles) {
     return std::pair(std::min(e.triangle, e.across), std::max(e.triangle, e.across));
   };
   std::ranges::sort(edges_, {}, [&](const Edge& e) { return std::pair(sides(e), e.triangle); });
-  const auto again = std::ranges::unique(edges_, {}, sides);
-  edges_.erase(again.begin(), again.end());
+  const auto again = std::unique(edges_.begin(), edges_.end(), [&](const Edge& a, const Edge& b) {
+    return sides(a) == sides(b);
+  });
+  edges_.erase(again, edges_.end());
 }
 
 std::vector<SideOfLine> EdgesOnLine::sides() const {

@@ -31,6 +31,11 @@ struct CornersOf {
   }
 };
 
+struct Found {
+  std::vector<SelfContact> contacts;
+  std::size_t tests = 0;
+};
+
 // The work is divided by the nodes of one level: each meets itself and those that come after it.
 class Traversal {
  public:
@@ -66,10 +71,6 @@ class Traversal {
   }
 
  private:
-  struct Found {
-    std::vector<SelfContact> contacts;
-    std::size_t tests = 0;
-  };
   /// Very many triangles were found to meet along lines.
   struct Crowded {};
 

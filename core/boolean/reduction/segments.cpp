@@ -52,9 +52,10 @@ class EdgeNodes {
     const Brep& across = patch.brep;
     std::vector<std::uint32_t> at;
     const auto add = [&](Entity entity) {
-      for (const Across& node :
-           std::ranges::equal_range(on(e, by_entity_), entity, {}, &Across::entity))
-        at.push_back(node.at);
+      const std::span<const Across> nodes = on(e, by_entity_);
+      for (auto node = std::ranges::lower_bound(nodes, entity, {}, &Across::entity);
+           node != nodes.end() && node->entity == entity; ++node)
+        at.push_back(node->at);
     };
     add(face);
     for_each_in_face(across, face, [&](HalfEdgeId h) {
