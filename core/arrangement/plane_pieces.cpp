@@ -4,14 +4,16 @@
 #include <array>
 #include <tuple>
 
+#include "arrangement/rows_of_traces.h"
 #include "search/edge_box.h"
 #include "search/piece_tree.h"
 
 namespace sectile::arrangement {
 
 PlanePieces::PlanePieces(const Facets& facets, const EdgeLines& lines, const Traces& traces,
-                         std::span<const std::uint32_t> faces)
+                         std::span<const std::uint32_t> faces, const Kernel& kernel)
     : plane_(facets.plane[faces[0]]) {
+  std::vector<Piece> left;
   std::vector<PointId> ends;
   for (const std::uint32_t f : faces) {
     for (std::uint32_t c = facets.begin(f); c < facets.end(f); ++c) {
@@ -19,25 +21,20 @@ PlanePieces::PlanePieces(const Facets& facets, const EdgeLines& lines, const Tra
       ends.push_back(facets.from(c));
     }
     for (const Trace& t : traces.of(f)) {
-      pieces_.push_back({t.from, t.to, t.across, none});
+      left.push_back({std::min(t.from, t.to), std::max(t.from, t.to), t.across, none});
       ends.insert(ends.end(), {t.from, t.to});
     }
   }
   // Several partners may leave the same trace.
-  const std::size_t borders = static_cast<std::size_t>(
-      std::stable_partition(pieces_.begin(), pieces_.end(),
-                            [](const Piece& p) { return p.corner != none; }) -
-      pieces_.begin());
-  for (std::size_t i = borders; i < pieces_.size(); ++i)
-    if (pieces_[i].to < pieces_[i].from) std::swap(pieces_[i].from, pieces_[i].to);
-  const auto first_trace = pieces_.begin() + static_cast<std::ptrdiff_t>(borders);
-  std::sort(first_trace, pieces_.end(), [](const Piece& a, const Piece& b) {
+  std::sort(left.begin(), left.end(), [](const Piece& a, const Piece& b) {
     return std::tie(a.from, a.to, a.across) < std::tie(b.from, b.to, b.across);
   });
-  pieces_.erase(
-      std::unique(first_trace, pieces_.end(),
+  left.erase(
+      std::unique(left.begin(), left.end(),
                   [](const Piece& a, const Piece& b) { return a.from == b.from && a.to == b.to; }),
-      pieces_.end());
+      left.end());
+  divide_rows(kernel, left);
+  pieces_.insert(pieces_.end(), left.begin(), left.end());
   std::sort(ends.begin(), ends.end());
   std::vector<PointId> points;
   for (const std::uint32_t f : faces)

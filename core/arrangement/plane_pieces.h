@@ -30,8 +30,9 @@ struct PlaneEdge {
 /// The pieces of one group of faces that overlap in one plane.
 class PlanePieces {
  public:
+  PlanePieces() = default;
   PlanePieces(const Facets& facets, const EdgeLines& lines, const Traces& traces,
-              std::span<const std::uint32_t> faces);
+              std::span<const std::uint32_t> faces, const Kernel& kernel);
 
   /// Finds where pieces cross, and which ends and points lie within pieces.
   void find_crossings(const Kernel& kernel, const EdgeLines& lines);

@@ -218,9 +218,10 @@ SubFaces arrange(const Facets& facets, const FacetTree& tree, Counting counting,
       find_traces(facets, pairs, convex, lines, wanted, geometry, kernel, first_at, steering);
   steering.step(0.5);
   const Groups groups(facets, pairs, traces, touches_itself);
-  std::vector<PlanePieces> planes;
-  planes.reserve(groups.groups.size());
-  for (const auto& group : groups.groups) planes.emplace_back(facets, lines, traces, group);
+  std::vector<PlanePieces> planes(groups.groups.size());
+  parallel::loop(0, planes.size(), [&](std::size_t i) {
+    planes[i] = PlanePieces(facets, lines, traces, groups.groups[i], kernel);
+  });
   divide_planes(planes, facets, lines, geometry, kernel, first_at, traces, groups, steering);
   std::vector<Regions> regions(planes.size());
   parallel::loop(0, planes.size(), [&](std::size_t i) {

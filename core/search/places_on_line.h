@@ -15,6 +15,8 @@ class PlacesOnLine {
   std::size_t count() const { return places_.size(); }
   /// The number of the place of a point on the line: equal points are in one place.
   std::size_t of(PointId p) const;
+  /// One of the points in a place, the first by number.
+  PointId at(std::size_t place) const { return places_[place]; }
   /// One on which the line has an extent, in whose direction the places are numbered.
   int axis() const { return axis_; }
 

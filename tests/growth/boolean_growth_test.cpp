@@ -148,5 +148,15 @@ TEST(Growth, CellsOfBooksAlongTheirCommonEdge) {
       n_log_n);
 }
 
+// Each end of a wall is within the edges of nearly all others: as many places in which they meet.
+TEST(Growth, CellsOfBooksWhoseWallsAllEndElsewhere) {
+  const auto cells_of_two = [](std::size_t n) {
+    const Solid a = Solid::from_mesh(book(n, 1e-4, 1e-4));
+    const std::vector<Solid> both{a, transformed(a, Transform::translation({0, 0, 0.5}))};
+    return [both] { cells(both); };
+  };
+  EXPECT_LT(growth(cells_of_two, 25), 2.25);
+}
+
 }  // namespace
 }  // namespace sectile

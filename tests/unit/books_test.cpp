@@ -199,6 +199,19 @@ TEST(Books, WithASolidAcrossTheLine) {
 
 // In one arrangement of all faces: edges along the line end within others, of both books and of
 // one.
+void expect_cells_are_what_booleans_say(const Solid& a, const Solid& b) {
+  const std::vector<Solid> both{a, b};
+  const std::vector<SolidCell> all = cells(both);
+  EXPECT_EQ(all.size(), 3u);
+  for (const SolidCell& cell : all) {
+    const Solid expected = cell.operands.size() == 2 ? boolean(a, b, Operation::intersect)
+                           : cell.operands[0] == 0   ? boolean(a, b, Operation::subtract)
+                                                     : boolean(b, a, Operation::subtract);
+    EXPECT_TRUE(cell.solid == expected);
+    expect_valid(cell.solid);
+  }
+}
+
 TEST(Books, CellsAreWhatBooleansSay) {
   const Stretches kinds[] = {{{0, 4}}, {{0, 2}}, {{1, 4}}, {{0, 1}, {2, 3}}};
   for (unsigned seed = 0; seed < 4; ++seed) {
@@ -211,19 +224,20 @@ TEST(Books, CellsAreWhatBooleansSay) {
                 higher = transformed(transformed(book(random_pages(random, some)),
                                                  Transform::translation({0, 0, 1})),
                                      placed);
-    for (const Solid& other : {b, higher}) {
-      const std::vector<Solid> both{a, other};
-      const std::vector<SolidCell> all = cells(both);
-      EXPECT_EQ(all.size(), 3u);
-      for (const SolidCell& cell : all) {
-        const Solid expected = cell.operands.size() == 2 ? boolean(a, other, Operation::intersect)
-                               : cell.operands[0] == 0   ? boolean(a, other, Operation::subtract)
-                                                         : boolean(other, a, Operation::subtract);
-        EXPECT_TRUE(cell.solid == expected);
-        expect_valid(cell.solid);
-      }
-    }
+    for (const Solid& other : {b, higher}) expect_cells_are_what_booleans_say(a, other);
   }
+}
+
+TEST(Books, CellsOfPagesThatAreAllOfDifferentLengths) {
+  std::mt19937 random(1);
+  std::vector<Stretches> kinds;
+  for (int i = 0; i < 60; ++i) kinds.push_back({{0.01 * (37 * i % 60), 4 - 0.01 * (23 * i % 60)}});
+  const std::vector<Page> of_a = random_pages(random, kinds), of_b = random_pages(random, kinds);
+  const Solid a = transformed(book(std::span(of_a).first(26)), slanted),
+              b = transformed(book(std::span(of_b).first(12)), slanted);
+  expect_cells_are_what_booleans_say(a, b);
+  // The line runs through the inside of one of its faces.
+  expect_cells_are_what_booleans_say(a, transformed(block({0, -3, -3}, {3, 3, 3}), slanted));
 }
 
 TEST(Books, RepairUnitesThoseThatCross) {

@@ -1,0 +1,80 @@
+#include "arrangement/rows_of_traces.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "search/edges_by_line.h"
+#include "search/places_on_line.h"
+
+namespace sectile::arrangement {
+namespace {
+
+// Fewer are not worth looking at.
+constexpr std::size_t many = 24;
+
+std::vector<PointId> ends_of(const std::vector<Piece>& traces) {
+  std::vector<PointId> ends;
+  for (const Piece& t : traces) ends.insert(ends.end(), {t.from, t.to});
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+
+// Of several planes across, each stretch gets the first.
+void add_stretches(const Kernel& kernel, std::vector<Piece> row, std::vector<Piece>& result) {
+  const std::vector<PointId> ends = ends_of(row);
+  const PlacesOnLine places(kernel, ends);
+  std::sort(row.begin(), row.end(),
+            [](const Piece& a, const Piece& b) { return a.across < b.across; });
+  std::vector<PlaneId> across(places.count());        // none on a stretch without a trace
+  std::vector<std::size_t> free(places.count() + 1);  // where the next one without may be
+  std::iota(free.begin(), free.end(), std::size_t(0));
+  const auto next_free = [&](std::size_t k) {
+    while (free[k] != k) k = free[k] = free[free[k]];
+    return k;
+  };
+  for (const Piece& t : row) {
+    const auto [low, high] = std::minmax({places.of(t.from), places.of(t.to)});
+    for (std::size_t k = next_free(low); k < high; k = next_free(k)) {
+      across[k] = t.across;
+      free[k] = k + 1;
+    }
+  }
+  for (std::size_t k = 0; k + 1 < places.count(); ++k) {
+    if (!across[k].valid()) continue;
+    const auto [from, to] = std::minmax({places.at(k), places.at(k + 1)});
+    result.push_back({from, to, across[k], none});
+  }
+}
+
+}  // namespace
+
+void divide_rows(const Kernel& kernel, std::vector<Piece>& traces) {
+  if (traces.size() < many) return;
+  const std::vector<PointId> ends = ends_of(traces);
+  const auto number = [&](PointId p) {
+    return static_cast<std::uint32_t>(std::lower_bound(ends.begin(), ends.end(), p) - ends.begin());
+  };
+  std::vector<PointPair> edges;
+  for (const Piece& t : traces) edges.push_back({number(t.from), number(t.to)});
+  std::vector<std::uint8_t> in_row(traces.size(), 0);
+  std::vector<Piece> stretches;
+  for (const EdgesOfLine& line : edges_by_line(kernel, ends, edges)) {
+    if (line.edges.size() < many || line.beside < 2 * line.edges.size()) continue;
+    std::vector<Piece> row;
+    for (const PointPair& edge : line.edges) {
+      const auto at = std::lower_bound(edges.begin(), edges.end(), edge) - edges.begin();
+      in_row[static_cast<std::size_t>(at)] = 1;
+      row.push_back(traces[static_cast<std::size_t>(at)]);
+    }
+    add_stretches(kernel, std::move(row), stretches);
+  }
+  if (stretches.empty()) return;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < traces.size(); ++i)
+    if (in_row[i] == 0) traces[kept++] = traces[i];
+  traces.resize(kept);
+  traces.insert(traces.end(), stretches.begin(), stretches.end());
+}
+
+}  // namespace sectile::arrangement
