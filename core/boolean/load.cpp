@@ -6,6 +6,7 @@
 #include "boolean/common_hubs.h"
 #include "boolean/equal_planes.h"
 #include "boolean/tables.h"
+#include "parallel/scratch.h"
 #include "storage/near_faces.h"
 
 namespace sectile {
@@ -129,18 +130,20 @@ void make_trees(const Workspace& w, const SolidData& solid, std::span<const std:
 // Pairs of faces that may meet, but for those that have a hub in common.
 FacePairs near_pairs(const Workspace& w, const SolidData& a, const SolidData& b,
                      const SlotPairs& slots, const CommonHubs& hubs) {
+  parallel::Scratch<NearFaces> scratch;
   return joined(collect_ranges<FacePairs>(
       w, slots.pairs().size(), 8, [&](std::size_t first, std::size_t last, FacePairs& out) {
-        NearFaces near;
-        for (const auto& [s, t] : slots.pairs().subspan(first, last - first))
-          near(
-              *a.slot(s).block, *b.slot(t).block,
-              [&, s = s, t = t](std::uint32_t f, std::uint32_t g) {
-                out.push_back({a.face(s, FaceId(f)), b.face(t, FaceId(g))});
-              },
-              [&, s = s, t = t](std::uint32_t hub, std::uint32_t across) {
-                return !hubs.empty() && hubs.are_of_one_fan(s, hub, t, across);
-              });
+        scratch.lend([&](NearFaces& near) {
+          for (const auto& [s, t] : slots.pairs().subspan(first, last - first))
+            near(
+                *a.slot(s).block, *b.slot(t).block,
+                [&, s = s, t = t](std::uint32_t f, std::uint32_t g) {
+                  out.push_back({a.face(s, FaceId(f)), b.face(t, FaceId(g))});
+                },
+                [&, s = s, t = t](std::uint32_t hub, std::uint32_t across) {
+                  return !hubs.empty() && hubs.are_of_one_fan(s, hub, t, across);
+                });
+        });
       }));
 }
 

@@ -18,7 +18,7 @@ class SlabCache {
     if (block_ == &block) return;
     block_ = &block;
     known_.assign(block.brep().face_count(), 0);
-    slab_.resize(known_.size());
+    if (slab_.size() < known_.size()) slab_.resize(known_.size());  // old ones are written over
   }
   const FaceSlab& operator[](std::uint32_t face) {
     if (known_[face] == 0) {

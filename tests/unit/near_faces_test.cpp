@@ -7,9 +7,12 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "needles.h"
 #include "sectile/boolean.h"
+#include "sectile/primitives.h"
 #include "sectile/validate.h"
 #include "storage/cut_into_blocks.h"
 #include "storage/solid_data.h"
@@ -41,6 +44,37 @@ TEST(NearFaces, NeedlesBesideEachOtherAreApart) {
   const Counts found = pairs(test::needles(400, 1, 1, 2), test::needles(300, 0.9, 1, -2));
   EXPECT_GT(found.boxes, 100'000u);
   EXPECT_LT(found.faces, 2'000u);  // the flat ends and what is next to them
+}
+
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+Pairs pairs(NearFaces& near, const Slot& s, const Slot& t) {
+  Pairs found;
+  near(
+      *s.block, *t.block,
+      [&](std::uint32_t f, std::uint32_t g) {
+        found.push_back({f, g});
+      },
+      [](std::uint32_t, std::uint32_t) { return false; });
+  return found;
+}
+
+TEST(NearFaces, AreTheSameAfterOtherBlocksOfAllSizes) {
+  const Solid ball = Solid::from_mesh(sphere_mesh({0, 0, 0}, 1, 60, 31)),
+              dented = boolean(ball, Solid::from_mesh(sphere_mesh({0.9, 0.4, 0.2}, 0.7, 20, 11)),
+                               Operation::subtract),
+              larger = Solid::from_mesh(sphere_mesh({4, 0.5, 0.3}, 4, 80, 41));
+  NearFaces used;
+  std::size_t count = 0;
+  for (const Slot& s : dented.data()->slots())
+    for (const Slot& t : larger.data()->slots()) {
+      if (s.empty() || t.empty()) continue;
+      NearFaces fresh;
+      const Pairs expected = pairs(fresh, s, t);
+      EXPECT_EQ(pairs(used, s, t), expected);
+      count += expected.size();
+    }
+  EXPECT_GT(count, 100u);
 }
 
 // How often a mesh of triangles winds around a point, by the solid angles of its triangles.
