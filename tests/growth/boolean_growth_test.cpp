@@ -158,5 +158,15 @@ TEST(Growth, CellsOfBooksWhoseWallsAllEndElsewhere) {
   EXPECT_LT(growth(cells_of_two, 25), 2.25);
 }
 
+// n places with n edges around each; n³ if each edge were recorded beside each other one at each.
+TEST(Growth, BooleansOfBooksWhoseWallsAllEndElsewhere) {
+  const auto union_of_two = [](std::size_t n) {
+    const Solid a = Solid::from_mesh(book(n, 1e-4, 1e-4)),
+                b = transformed(a, Transform::translation({0, 0, 0.5}));
+    return [a, b] { boolean(a, b, Operation::unite); };
+  };
+  EXPECT_LT(growth(union_of_two, 20), 2.7);
+}
+
 }  // namespace
 }  // namespace sectile

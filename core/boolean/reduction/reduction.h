@@ -34,7 +34,7 @@ struct SegmentRecord {
 struct Contacts {
   Table<ContactId, Contact> contacts;   ///< as pairs of faces find them, crossings last
   Table<PlaceId, PointId> places;       ///< the point of each place
-  std::vector<SegmentRecord> segments;  ///< one for each two entities that share one
+  std::vector<SegmentRecord> segments;  ///< of what shares one, all pairs, or enough of very many
 
   PointId point(PlaceId place) const { return places[place]; }
 };

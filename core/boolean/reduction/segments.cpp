@@ -475,6 +475,7 @@ Contacts reduce(Workspace& w, const FacePairs& candidates) {
   Contacts found;
   const ContactTable table = find_contacts(w, candidates, found);
   find_segments(w, table, found);
+  divide_rows(w, found);
   split_at_places(w, found);
   if (add_crossings(w, found)) split_at_places(w, found);
   add_touched_faces(w, table, found);
