@@ -139,6 +139,16 @@ Solid plate_with_pegs(std::size_t n) {
   return boolean(block({-1, -1, 0}, {end, end, 1}), Solid::from_mesh(pegs), Operation::unite);
 }
 
+// Cubes and cavities in turn, one in the other.
+PolygonMesh nested_shells(std::size_t n) {
+  PolygonMesh mesh;
+  for (std::size_t i = 1; i <= n; ++i) {
+    const double r = static_cast<double>(2 * i);
+    add_block(mesh, {-r, -r, -r}, {r, r, r}, (n - i) % 2 == 1);
+  }
+  return mesh;
+}
+
 PolygonMesh in_triangles(const PolygonMesh& convex) {
   PolygonMesh triangles;
   triangles.positions = convex.positions;
@@ -205,6 +215,16 @@ TEST(Growth, CutThroughAPlateWithPegs) {
                   return [plate = plate_with_pegs(n)] { split(plate, {0, 0, 1, -1}); };
                 },
                 100),
+            n_log_n);
+}
+
+// The cut's rings lie around each other.
+TEST(Growth, CutThroughNestedShells) {
+  EXPECT_LT(growth(
+                [](std::size_t n) {
+                  return [shells = trusted(nested_shells(n))] { split(shells, {0, 0, 1, -1}); };
+                },
+                200),
             n_log_n);
 }
 

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 #include "sectile/sectile.h"
 
@@ -72,6 +74,37 @@ TEST(WrongSignNearSubnormals, TetrahedraOfAllSizes) {
         tetrahedron({0, -4 * e, 0}, {8 * e, -4 * e, 4 * e}, {0, 16 * e, 0}, {16 * e, 0, 0});
     expect_halves(solid, {0, 1, 0, -2 * e});
     expect_halves(solid, {1, 1, 0, -3 * e});
+  }
+}
+
+// Slanted boxes and cavities in turn, one in the other, from a size on whose areas are no numbers.
+PolygonMesh nested_shells(double size) {
+  PolygonMesh mesh;
+  for (int i = 0; i < 40; ++i) {
+    const double r = i < 20 ? size / (1 + i) : 2.5 - (i - 20) / 16.0;
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const double z : {-r, r})
+      for (const double y : {-r, r})
+        for (const double x : {-r, r}) mesh.positions.push_back({x - 3 * y, 2 * x + y, z});
+    for (const std::array<std::uint32_t, 4>& f : {std::array{0u, 2u, 3u, 1u},
+                                                  {4u, 5u, 7u, 6u},
+                                                  {0u, 1u, 5u, 4u},
+                                                  {2u, 6u, 7u, 3u},
+                                                  {0u, 4u, 6u, 2u},
+                                                  {1u, 3u, 7u, 5u}}) {
+      mesh.face_sizes.push_back(4);
+      for (std::size_t k = 0; k < 4; ++k) mesh.indices.push_back(first + f[i % 2 == 0 ? k : 3 - k]);
+    }
+  }
+  return mesh;
+}
+
+TEST(ExtremeCoordinates, SplitOfNestedShellsWhoseAreasOverflow) {
+  for (const double size : {1e3, 1e154, 1e155, 1e200, 1e300}) {
+    SCOPED_TRACE(size);
+    const auto [above, below] = split(Solid::from_mesh(nested_shells(size)), {0, 0, 1, -0.25});
+    EXPECT_TRUE(validate(above).empty());
+    EXPECT_TRUE(validate(below).empty());
   }
 }
 

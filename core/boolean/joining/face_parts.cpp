@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "boolean/collect.h"
 #include "boolean/ray_count.h"
@@ -11,6 +12,7 @@
 #include "geometry/loop_area.h"
 #include "search/box_tree.h"
 #include "search/bucket_sort.h"
+#include "search/lowest_first.h"
 #include "sectile/errors.h"
 #include "topology/euler.h"
 
@@ -123,28 +125,59 @@ class PartSettler {
     }
   }
 
-  // The innermost of the outer loops that surround an inner one.
+  // The innermost of the outer loops that surround an inner one: the smallest ones are tried first,
+  // and none that is clearly larger than one that was found.
   LoopId around(LoopId inner) {
-    find_near(inner);
-    if (near_.size() == 1 && !patch_.unbounded) return outer_[near_[0]];  // some loop does
+    build_loop_tree();
+    const HalfEdgeId any = brep_.loop_half_edge[inner];
+    const Vec3& at = w_.geometry.position(brep_.point_of(brep_.from(any)));
+    if (!patch_.unbounded)
+      if (const LoopId only = only_one_near(at); only.valid()) return only;  // some loop does
+    build_outlines();
     std::uint32_t innermost = none;
-    for (const std::uint32_t i : near_) {
-      build_outlines();
-      if (surrounds(i, inner) && (innermost == none || is_within(i, innermost))) innermost = i;
-    }
+    double largest = std::numeric_limits<double>::infinity();
+    // Areas that overflow say nothing: they are no numbers.
+    const auto may_be_innermost = [&](const Box& b) {
+      return !(b.low[axis_] > largest) && is_near(b, at);
+    };
+    visit_lowest_first(loop_tree_, axis_, may_be_innermost, [&](std::uint32_t i) {
+      if (!may_be_innermost(loop_boxes_[i]) || !surrounds(i, inner)) return;
+      if (innermost != none && !is_within(i, innermost)) return;
+      innermost = i;
+      largest = largest_side(areas_[i]);
+    });
     if (innermost != none) return outer_[innermost];
     if (!patch_.unbounded) throw InternalError("an inner loop lies in no part of its face");
     return {};
   }
 
-  // The outer loops whose boxes contain a corner of an inner one.
-  void find_near(LoopId inner) {
-    build_loop_tree();
-    const HalfEdgeId any = brep_.loop_half_edge[inner];
-    const Vec3& at = w_.geometry.position(brep_.point_of(brep_.from(any)));
-    near_.clear();
-    loop_tree_.query([&](const Box& b) { return b.contains(at); },
-                     [&](std::uint32_t i) { near_.push_back(i); });
+  bool is_near(const Box& b, const Vec3& at) const {
+    const auto holds_along = [&](int k) {
+      return b.low[k] <= component(at, k) && component(at, k) <= b.high[k];
+    };
+    return holds_along(next_axis(axis_)) && holds_along(next_next_axis(axis_));
+  }
+
+  // The outer loop whose box contains a point, if there are not several.
+  LoopId only_one_near(const Vec3& at) const {
+    std::uint32_t near = none;
+    bool several = false;
+    loop_tree_.query([&](const Box& b) { return !several && is_near(b, at); },
+                     [&](std::uint32_t i) {
+                       several = near != none;
+                       near = i;
+                     });
+    return near == none || several ? LoopId() : outer_[near];
+  }
+
+  // The sides of squares that are as large as an outer loop at least, and at most.
+  static float smallest_side(const Estimate& area) {
+    return round_down(
+        std::sqrt(std::max(0.0, std::nextafter(std::abs(area.value) - area.error, 0.0))));
+  }
+  static double largest_side(const Estimate& area) {
+    return std::sqrt(
+        std::nextafter(std::abs(area.value) + area.error, std::numeric_limits<double>::infinity()));
   }
 
   // Loops do not cross, so one point of a loop tells for all, or, if all are on the outer loop, one
@@ -215,18 +248,23 @@ class PartSettler {
       for (const HalfEdgeId h : edges) count.add(h);
   }
 
+  // The boxes tell of where a loop is in the face, and, along the axis, of its size.
   void build_loop_tree() {
     if (loops_root_ == root_) return;
     loops_root_ = root_;
-    std::vector<Box> boxes;
+    areas_.clear();
+    loop_boxes_.clear();
     for (const LoopId l : outer_) {
       Bounds bounds;
       for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
         bounds.add(w_.geometry.position(brep_.point_of(brep_.from(h))));
       });
-      boxes.push_back(bounds.box());
+      areas_.push_back(area_of(l));
+      Box box = bounds.box();
+      box.low[axis_] = box.high[axis_] = smallest_side(areas_.back());
+      loop_boxes_.push_back(box);
     }
-    loop_tree_ = BoxTree(boxes);
+    loop_tree_ = BoxTree(loop_boxes_);
   }
 
   void build_outlines() {
@@ -235,7 +273,6 @@ class PartSettler {
     outer_edges_.clear();
     outer_end_.clear();
     outlines_.clear();
-    areas_.clear();
     std::vector<Vec3> corners;
     for (const LoopId l : outer_) {
       corners.clear();
@@ -244,7 +281,6 @@ class PartSettler {
         outer_edges_.push_back(h);
         corners.push_back(w_.geometry.position(brep_.point_of(brep_.from(h))));
       });
-      areas_.push_back(area_of(l));
       outer_end_.push_back(static_cast<std::uint32_t>(outer_edges_.size()));
       const std::uint32_t all[] = {static_cast<std::uint32_t>(corners.size())};
       outlines_.push_back(corners.size() < many_edges
@@ -265,12 +301,12 @@ class PartSettler {
   Sign up_ = Sign::zero;            // of its normal there
   FaceId loops_root_, edges_root_;  // of which what follows was made
   std::vector<LoopId> outer_, inner_;
-  std::vector<std::uint32_t> near_;  // outer loops
   std::vector<PointId> points_;
-  BoxTree loop_tree_;  // over the outer loops
+  std::vector<Estimate> areas_;  // per outer loop
+  std::vector<Box> loop_boxes_;  // per outer loop
+  BoxTree loop_tree_;
   std::vector<HalfEdgeId> outer_edges_;
   std::vector<std::uint32_t> outer_end_;                // per outer loop: end of its edges
-  std::vector<Estimate> areas_;                         // per outer loop
   std::vector<std::unique_ptr<OutlineTree>> outlines_;  // per outer loop, if it has many edges
 };
 
