@@ -305,14 +305,9 @@ Box RoundedTriangles::with_places(Bounds bounds) {
   return bounds.box();
 }
 
-const BoxTree& RoundedTriangles::swept_tree() const {
-  if (!swept_tree_) swept_tree_.emplace(swept_, std::vector<std::uint32_t>(), swept_along_curve_);
-  return *swept_tree_;
-}
-
 bool RoundedTriangles::shells_stay() const {
   if (swept_.empty()) return true;
-  const BoxTree& tree = swept_tree();
+  const BoxTree tree(swept_);
   const auto stays = [&](const Box& own) {
     bool any = false;
     tree.query([&](const Box& b) { return !any && b.overlaps(own); },
@@ -356,8 +351,6 @@ void RoundedTriangles::note_moved(std::uint32_t vertex, const Vec3& from, bool w
 RoundedTriangles::Triangles RoundedTriangles::take_back(const MeshPart& part,
                                                         const std::vector<std::uint32_t>& gone_to) {
   const RoundedSurface& r = part.rounded;
-  swept_tree_.reset();
-  swept_along_curve_ = false;
   std::vector<Vec3> before;
   for (std::uint32_t i = 0; i < part.vertex.size(); ++i) {
     const std::uint32_t v = part.vertex[i];

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -59,10 +58,6 @@ class RoundedTriangles {
   }
   const Box& bounds(std::size_t slot) const { return bounds_[slot]; }
   Box box(std::uint32_t t) const;
-  /// Around all places of the corners of one that is not settled, in their order, and what was
-  /// changed since.
-  const Box& swept(std::size_t i) const { return swept_[i]; }
-  const BoxTree& swept_tree() const;
 
   /// Those with a corner that is not at its place, or changed since.
   Triangles unsettled() const;
@@ -118,11 +113,9 @@ class RoundedTriangles {
   std::vector<std::uint8_t> is_gone_;     // per triangle
   std::vector<std::uint32_t> gone_to_;    // per vertex: to which it was joined, or none; if any was
   bool any_gone_ = false;
-  std::vector<Box> swept_;                     // of what triangles passed through
-  bool swept_along_curve_ = true;              // as blocks are
-  mutable std::optional<BoxTree> swept_tree_;  // of those, when it was asked for
-  std::vector<Box> bounds_;                    // per slot
-  std::vector<std::uint8_t> has_unsettled_;    // per slot: may it have some?
+  std::vector<Box> swept_;                   // of what triangles passed through
+  std::vector<Box> bounds_;                  // per slot
+  std::vector<std::uint8_t> has_unsettled_;  // per slot: may it have some?
 };
 
 }  // namespace sectile

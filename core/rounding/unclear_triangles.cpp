@@ -22,19 +22,21 @@ class UnclearTriangles {
   using Triangles = RoundedTriangles::Triangles;
 
  public:
-  explicit UnclearTriangles(const RoundedTriangles& mesh) : mesh_(mesh), moved_(mesh.unsettled()) {}
+  explicit UnclearTriangles(const RoundedTriangles& mesh) : mesh_(mesh) {}
 
   Triangles run() {
-    if (moved_.empty()) return flat_cut_ones();
-    if (2 * moved_.size() > mesh_.size()) return united(moved_, flat_cut_ones());
-    most_pairs_ = pairs_at_least + pairs_per_triangle * moved_.size();
-    Triangles result = look_at_each();
-    meet_each_other();
-    meet_others();
-    if (is_crowded()) return united(moved_, flat_cut_ones());
+    const Triangles unsettled = mesh_.unsettled();
+    if (2 * unsettled.size() > mesh_.size()) return united(unsettled, flat_cut_ones());
+    look_at(unsettled);
+    if (!moved_.empty()) {
+      most_pairs_ = pairs_at_least + pairs_per_triangle * moved_.size();
+      meet_each_other();
+      meet_others();
+    }
+    if (is_crowded()) return united(unsettled, flat_cut_ones());
     unclear_.for_each(
-        [&](const Triangles& some) { result.insert(result.end(), some.begin(), some.end()); });
-    return united(std::move(result), flat_cut_ones());
+        [&](const Triangles& some) { result_.insert(result_.end(), some.begin(), some.end()); });
+    return united(std::move(result_), flat_cut_ones());
   }
 
  private:
@@ -44,37 +46,41 @@ class UnclearTriangles {
     bool nodes(BoxTree::Node, BoxTree::Node) const { return all.is_crowded(); }
   };
 
-  // Those around hubs, of large faces, and without area are unclear: they have no view.
-  Triangles look_at_each() {
+  // Those around hubs, of large faces, and without area are unclear.
+  void look_at(const Triangles& unsettled) {
     std::vector<std::uint8_t> around(mesh_.positions().size(), 0);
-    for (const std::uint32_t t : moved_)
+    for (const std::uint32_t t : unsettled)
       for (const std::uint32_t v : mesh_.corners(t))
         if (around[v] <= most_around_a_corner) ++around[v];
     const std::vector<std::uint8_t> of_large_face = of_large_faces();
-    Triangles unclear;
-    views_.resize(moved_.size());
-    for (std::size_t i = 0; i < moved_.size(); ++i) {
-      const std::uint32_t t = moved_[i];
+    for (const std::uint32_t t : unsettled) {
       const RoundedTriangles::Corners c = mesh_.corners(t);
       const bool at_hub =
           std::max({around[c[0]], around[c[1]], around[c[2]]}) > most_around_a_corner;
-      if (!at_hub && of_large_face[t] == 0) views_[i] = clear_view(placed(t));
-      if (!views_[i].clear()) unclear.push_back(t);
+      const TriangleView view =
+          at_hub || of_large_face[t] != 0 ? TriangleView() : clear_view(placed(t));
+      if (!view.clear()) {
+        result_.push_back(t);
+        continue;
+      }
+      moved_.push_back(t);
+      views_.push_back(view);
     }
-    return unclear;
+    std::vector<Box> boxes(moved_.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = mesh_.box(moved_[i]);
+    tree_ = BoxTree(boxes, {}, true);
   }
 
   void meet_each_other() {
-    const BoxTree& tree = mesh_.swept_tree();
-    const std::vector<BoxTree::SelfPart> parts = tree.self_parts(256);
+    const std::vector<BoxTree::SelfPart> parts = tree_.self_parts(256);
     parallel::loop(0, parts.size(), [&](std::size_t p) {
       unclear_.lend([&](Triangles& unclear) {
         std::size_t pairs = 0;
-        tree.self_overlaps(
+        tree_.self_overlaps(
             parts[p],
             [&](std::uint32_t i, std::uint32_t j) {
               count(pairs);
-              if (views_[j].clear()) meet(i, moved_[j], unclear);
+              meet(i, moved_[j], unclear);
             },
             NothingApart{{}, *this});
         pairs_ += pairs;
@@ -86,8 +92,8 @@ class UnclearTriangles {
     parallel::loop(0, mesh_.slot_count(), [&](std::size_t s) {
       const Box& bounds = mesh_.bounds(s);
       bool any = false;
-      mesh_.swept_tree().query([&](const Box& b) { return !any && b.overlaps(bounds); },
-                               [&](std::uint32_t) { any = true; });
+      tree_.query([&](const Box& b) { return !any && b.overlaps(bounds); },
+                  [&](std::uint32_t) { any = true; });
       if (any) meet_slot(s);
     });
   }
@@ -106,7 +112,7 @@ class UnclearTriangles {
     unclear_.lend([&](Triangles& unclear) {
       std::size_t pairs = 0;
       BoxTree::overlaps(
-          mesh_.swept_tree(), BoxTree(boxes, {}, true),
+          tree_, BoxTree(boxes, {}, true),
           [&](std::uint32_t i, std::uint32_t j) {
             count(pairs);
             meet(i, others[j], unclear);
@@ -117,8 +123,7 @@ class UnclearTriangles {
   }
 
   void meet(std::uint32_t i, std::uint32_t t, Triangles& unclear) const {
-    if (!views_[i].clear() || clearly_meet_in_corners(placed(moved_[i]), views_[i], placed(t)))
-      return;
+    if (clearly_meet_in_corners(placed(moved_[i]), views_[i], placed(t))) return;
     unclear.push_back(moved_[i]);
     unclear.push_back(t);
   }
@@ -165,11 +170,13 @@ class UnclearTriangles {
   }
 
   const RoundedTriangles& mesh_;
-  const Triangles moved_;
-  std::vector<TriangleView> views_;  // of each that moved
+  Triangles moved_;                  // those that are looked at here
+  std::vector<TriangleView> views_;  // of each
+  BoxTree tree_;
   std::atomic<std::size_t> pairs_{0};
   std::size_t most_pairs_ = 0;
   parallel::Scratch<Triangles> unclear_;
+  Triangles result_;
 };
 
 }  // namespace
