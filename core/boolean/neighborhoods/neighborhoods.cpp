@@ -70,6 +70,20 @@ class SegmentBuilder {
     const SegmentRecord& any = contacts_.segments[records[0].record];
     segment_.place[0] = any.place[0];
     segment_.place[1] = any.place[1];
+    if (records.size() == 1 && any.sense != Sign::zero)
+      cross_faces(any);
+    else
+      meet_in_any_way(records);
+    found_.segments[id] = segment_;
+  }
+
+ private:
+  struct Sorted {
+    int quarter;
+    HalfPlane half_plane;
+  };
+
+  void meet_in_any_way(std::span<const Keyed> records) {
     add_carriers(records);
     add_half_planes();
     find_line();
@@ -79,14 +93,34 @@ class SegmentBuilder {
       pair_wedges(wanted_.operations[i], wedges_[i]);
     if (wanted_.operations.empty()) cut_between_classes();
     find_directions();
-    found_.segments[id] = segment_;
   }
 
- private:
-  struct Sorted {
-    int quarter;
-    HalfPlane half_plane;
-  };
+  // Two faces that cross each other, as nearly everywhere: half-planes of A and of B take turns, of
+  // each operand one is within the other, and both faces are cut.
+  void cross_faces(const SegmentRecord& r) {
+    const FaceId face_a = r.on[Operand::a].face(), face_b = r.on[Operand::b].face();
+    const PlaneId a = w_.patch[Operand::a].plane(face_a), b = w_.patch[Operand::b].plane(face_b);
+    segment_.plane[0] = a;
+    segment_.plane[1] = b;
+    const CarrierId of_a = next_carrier_, of_b(of_a.value() + 1u);
+    found_.carriers[of_a] = crossed_face(Operand::a, r, {b, r.sense});
+    found_.carriers[of_b] = crossed_face(Operand::b, r, {a, -r.sense});
+    next_carrier_ = CarrierId(of_b.value() + 1u);
+    segment_.carriers = {of_a, next_carrier_};
+    segment_.half_planes = {HalfPlaneId(2 * of_a.value()), HalfPlaneId(2 * next_carrier_.value())};
+    const bool left = r.sense == Sign::positive;  // of A's forward half-plane lies B's
+    const std::span<HalfPlane> planes = half_planes();
+    planes[0] = {Operand::a, true, of_a, face_a, a, left ? Class::in : Class::out};
+    planes[1] = {Operand::b, left, of_b, face_b, b, Class::out};
+    planes[2] = {Operand::a, false, of_a, face_a, a, left ? Class::out : Class::in};
+    planes[3] = {Operand::b, !left, of_b, face_b, b, Class::in};
+    for (std::size_t i = 0; i < wanted_.operations.size(); ++i)
+      pair_wedges(wanted_.operations[i], wedges_[i]);
+  }
+
+  static Carrier crossed_face(Operand s, const SegmentRecord& r, const Direction& direction) {
+    return {s, r.on[s], {r.end[s][0], r.end[s][1]}, true, true, direction};
+  }
 
   Carrier& carrier_of(const HalfPlane& h) { return found_.carriers[h.carrier]; }
   std::span<HalfPlane> half_planes() { return found_.half_planes[segment_.half_planes]; }
@@ -321,6 +355,10 @@ class Finder {
         w_, segment_count(), chunk, [&](std::size_t first, std::size_t last, std::size_t& count) {
           CarriersSeen seen;
           for (std::size_t i = first; i < last; ++i) {
+            if (records(i).size() == 1) {
+              count += 2;
+              continue;
+            }
             seen.clear();
             for (const Keyed& r : records(i))
               for (const Operand s : both_operands) seen.add(s, contacts_.segments[r.record].on[s]);

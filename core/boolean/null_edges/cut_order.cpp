@@ -80,6 +80,7 @@ class PlaceLeaver {
     }
     std::sort(sites_here_.begin(), sites_here_.end());
     corners_known_ = false;
+    is_alone_ = sites.size() == 1;
     bool moved = false;
     for (const SiteId s : sites)
       for (const PlannedEndId end : plan_.sites[s].ends) {
@@ -112,7 +113,8 @@ class PlaceLeaver {
     } else {
       l.direction = end.which == 0 ? c.direction : -c.direction;
       if (plan_.sites[site].entity.is_face()) return l;
-      l.end.corner = corner_of(c.entity.face(), l.direction);
+      l.end.corner = corner_within_edge(site, c.entity.face());
+      if (!l.end.corner.valid()) l.end.corner = corner_of(c.entity.face(), l.direction);
     }
     const VertexId from = patch_->brep.from(l.end.corner);
     if (from != vertices_[site].vertex) l.end.site = site_with(from);
@@ -126,6 +128,14 @@ class PlaceLeaver {
     if (at == sites_here_.end() || at->first != v)
       throw InternalError("a cut leaves a vertex that was not prepared for it");
     return at->second;
+  }
+
+  // A point within an edge has two corners. Invalid if that does not tell.
+  HalfEdgeId corner_within_edge(SiteId site, FaceId face) const {
+    if (!is_alone_ || !plan_.sites[site].entity.is_edge()) return {};
+    const HalfEdgeId g = vertices_[site].forward, h = patch_->brep.around(g);
+    const bool in_g = patch_->brep.face_of(g) == face, in_h = patch_->brep.face_of(h) == face;
+    return in_g == in_h ? HalfEdgeId() : in_g ? g : h;
   }
 
   // Among the corners of all the face's vertices here, if it touches itself.
@@ -150,7 +160,8 @@ class PlaceLeaver {
   const Patch* patch_ = nullptr;
   std::vector<std::pair<VertexId, SiteId>> sites_here_;
   std::vector<VertexId> vertices_here_;
-  Corners corners_;  // of the vertices here, once somebody asked
+  bool is_alone_ = false;  // there is no other site
+  Corners corners_;        // of the vertices here, once somebody asked
   bool corners_known_ = false;
 };
 
@@ -222,6 +233,7 @@ class Ordering {
   }
 
   static void number_corners(const Patch& patch, VertexId vertex, std::span<Leaving> ends) {
+    if (ends.size() == 2) return number_two_corners(patch, vertex, ends[0], ends[1]);
     const auto corner = [](const Leaving& l) { return l.end.corner; };
     std::sort(ends.begin(), ends.end(),
               [&](const Leaving& p, const Leaving& q) { return corner(p) < corner(q); });
@@ -230,6 +242,15 @@ class Ordering {
       auto at = std::partition_point(ends.begin(), ends.end(),
                                      [&](const Leaving& l) { return corner(l) < h; });
       for (; at != ends.end() && corner(*at) == h; ++at) at->turn = turn;
+      ++turn;
+    });
+  }
+
+  static void number_two_corners(const Patch& patch, VertexId vertex, Leaving& p, Leaving& q) {
+    std::uint32_t turn = 0;
+    for_each_around(patch.brep, patch.brep.vertex_half_edge[vertex], [&](HalfEdgeId h) {
+      if (p.end.corner == h) p.turn = turn;
+      if (q.end.corner == h) q.turn = turn;
       ++turn;
     });
   }

@@ -12,6 +12,7 @@ namespace {
 
 // An end of a cut of one operand. Those of one entity and place form a site.
 struct CutEndAt {
+  Entity entity;
   PlaceId place;
   SegmentId segment;
   CarrierId carrier;
@@ -22,18 +23,18 @@ struct CutEndAt {
 // and `first_end` on.
 class OperandPlan {
  public:
-  OperandPlan(const Workspace& w, const Neighborhoods& n, Operand s) : n_(n), operand_(s) {
+  OperandPlan(const Workspace& w, const Neighborhoods& n, Operand s) : operand_(s) {
     for (const SegmentId segment : n.segments.ids())
       for (const CarrierId id : n.segments[segment].carriers) {
         const Carrier& c = n.carriers[id];
         if (!c.cut || c.operand != s) continue;
         for (const std::uint8_t which : {std::uint8_t{0}, std::uint8_t{1}})
-          ends_.push_back({n.segments[segment].place[which], segment, id, which});
+          ends_.push_back({c.end[which], n.segments[segment].place[which], segment, id, which});
       }
     if (ends_.empty()) return;
     const EntityNumbers number(w.patch[s].brep);
     bucket_sort(
-        ends_, number.size(), [&](const CutEndAt& e) { return number[entity(e)]; },
+        ends_, number.size(), [&](const CutEndAt& e) { return number[e.entity]; },
         [](const CutEndAt& p, const CutEndAt& q) {
           return std::tie(p.place, p.carrier, p.which) < std::tie(q.place, q.carrier, q.which);
         });
@@ -49,7 +50,7 @@ class OperandPlan {
       const CutEndAt& e = ends_[i];
       const PlannedEndId id(first_end + i);
       if (begins_site(i)) {
-        plan.sites[next] = {operand_, entity(e), e.place, {id, id}};
+        plan.sites[next] = {operand_, e.entity, e.place, {id, id}};
         next = SiteId(next.value() + 1);
       }
       const SiteId site(next.value() - 1);
@@ -60,13 +61,10 @@ class OperandPlan {
   }
 
  private:
-  Entity entity(const CutEndAt& e) const { return n_.carriers[e.carrier].end[e.which]; }
   bool begins_site(std::size_t i) const {
-    return i == 0 || ends_[i].place != ends_[i - 1].place ||
-           entity(ends_[i]) != entity(ends_[i - 1]);
+    return i == 0 || ends_[i].place != ends_[i - 1].place || ends_[i].entity != ends_[i - 1].entity;
   }
 
-  const Neighborhoods& n_;
   Operand operand_;
   std::vector<CutEndAt> ends_;  // by entity and place, then as they were found
   std::size_t sites_ = 0;

@@ -8,19 +8,26 @@
 #include "boolean/collect.h"
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
+#include "boolean/reduction/pierced_faces.h"
 #include "search/piece_tree.h"
 
 namespace sectile {
 namespace {
 
 class Noding {
-  static constexpr std::size_t few_pairs = 2048;
+#ifdef SECTILE_SMALL_BLOCKS  // for tests: small solids go this way, too
+  static constexpr std::size_t few_pairs = 0;
+#else
+  static constexpr std::size_t few_pairs = 1024;
+#endif
 
  public:
   Noding(const Workspace& w, const Contacts& found) : w_(w), kernel_(w.tests()), found_(found) {
     at_.reserve(found.places.size());
     for (const PlaceId place : found.places.ids()) at_.add(w.geometry.position(found.point(place)));
-    if (found.segments.size() * at_.size() > few_pairs) tree_.emplace(tree_of_places());
+    if (found.segments.size() * at_.size() <= few_pairs) return;
+    pierced_.emplace(w, found);
+    if (!others().empty()) tree_.emplace(tree_of_others());
   }
 
   // Some records that follow each other, and so are near each other, as a rule.
@@ -41,10 +48,14 @@ class Noding {
     PlaceId place;
   };
 
-  PieceTree tree_of_places() const {
+  const std::vector<PlaceId>& others() const {
+    return pierced_->others();
+  }
+
+  PieceTree tree_of_others() const {
     std::vector<PieceTree::Edge> edges;
-    edges.reserve(at_.size());
-    for (const Vec3& p : at_) edges.push_back({p, p});
+    edges.reserve(others().size());
+    for (const PlaceId place : others()) edges.push_back({at_[place], at_[place]});
     return PieceTree(edges);
   }
 
@@ -63,10 +74,7 @@ class Noding {
         piece.end[s][1] = last ? record.end[s][1] : record.on[s];
         start[s] = record.on[s];
       }
-      if (piece.place[0] > piece.place[1]) {
-        std::swap(piece.place[0], piece.place[1]);
-        for (auto& end : piece.end) std::swap(end[0], end[1]);
-      }
+      piece.put_in_order();
       out.push_back(piece);
       from = to;
     }
@@ -97,24 +105,28 @@ class Noding {
   // Calls visit(number of a record, place) where the place may be within the record.
   template <class Visit>
   void for_each_near(std::span<const SegmentRecord> records, const Visit& visit) const {
-    if (!tree_) {
-      for (std::uint32_t i = 0; i < records.size(); ++i) for_each_near(records[i], i, visit);
-      return;
-    }
+    for (std::uint32_t i = 0; i < records.size(); ++i) for_each_near(records[i], i, visit);
+    if (!tree_) return;
     std::vector<PieceTree::Edge> edges;
     edges.reserve(records.size());
     for (const SegmentRecord& r : records) edges.push_back({at_[r.place[0]], at_[r.place[1]]});
     PieceTree::overlaps(PieceTree(edges, true), *tree_,
-                        [&](std::uint32_t i, std::uint32_t place) { visit(i, PlaceId(place)); });
+                        [&](std::uint32_t i, std::uint32_t other) { visit(i, others()[other]); });
   }
 
-  // Rounding is monotonic: what is between two places on each axis is so when rounded.
+  // Without those in the tree. Rounding is monotonic: what is between two places on each axis is so
+  // when rounded.
   template <class Visit>
   void for_each_near(const SegmentRecord& record, std::uint32_t number, const Visit& visit) const {
     Bounds near;
     for (const PlaceId end : record.place) near.add(at_[end]);
-    for (const PlaceId place : at_.ids())
-      if (near.contains(at_[place])) visit(number, place);
+    const auto visit_near = [&](const auto& places) {
+      for (const PlaceId place : places)
+        if (near.contains(at_[place])) visit(number, place);
+    };
+    if (!pierced_) return visit_near(at_.ids());
+    for (const Operand s : both_operands)
+      if (record.on[s].is_face()) visit_near(pierced_->places(s, record.on[s].face()));
   }
 
   bool is_inside(const SegmentRecord& record, PlaceId place) const {
@@ -139,7 +151,8 @@ class Noding {
   const Kernel& kernel_;
   const Contacts& found_;
   Table<PlaceId, Vec3> at_;
-  std::optional<PieceTree> tree_;  // over the places; none where looking at all takes no longer
+  std::optional<PiercedFaces> pierced_;  // none where looking at all places takes no longer
+  std::optional<PieceTree> tree_;        // of the others, if there are any
 };
 
 }  // namespace

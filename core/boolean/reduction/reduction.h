@@ -10,6 +10,7 @@
 #include "boolean/entity.h"
 #include "boolean/ids.h"
 #include "boolean/workspace.h"
+#include "numbers/sign.h"
 
 namespace sectile {
 
@@ -28,6 +29,17 @@ struct SegmentRecord {
   PlaceId place[2];                       ///< ascending
   PerOperand<Entity> on;                  ///< the face or edge of each solid
   PerOperand<std::array<Entity, 2>> end;  ///< at each place: the entity of the solid's closure
+  /// Of two faces: positive if normal(A) × normal(B) points from place[0] to place[1], negative if
+  /// it points back. Zero if one of them is an edge.
+  Sign sense = Sign::zero;
+
+  /// Makes the places ascending.
+  void put_in_order() {
+    if (place[0] < place[1]) return;
+    std::swap(place[0], place[1]);
+    for (auto& of_operand : end) std::swap(of_operand[0], of_operand[1]);
+    sense = -sense;
+  }
 };
 
 /// Where the two boundaries meet.

@@ -7,6 +7,7 @@
 #include "boolean/collect.h"
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
+#include "boolean/reduction/crossing_faces.h"
 #include "boolean/reduction/standing.h"
 #include "geometry/axes.h"
 #include "search/bucket_sort.h"
@@ -137,171 +138,6 @@ class EdgeNodes {
   std::vector<std::uint32_t> first_;  // per edge, and the end
 };
 
-void emit(std::vector<SegmentRecord>& out, SegmentRecord r) {
-  if (r.place[0] > r.place[1]) {
-    std::swap(r.place[0], r.place[1]);
-    for (auto& end : r.end) std::swap(end[0], end[1]);
-  }
-  out.push_back(r);
-}
-
-// Two faces in different planes: the common line enters and leaves both of them at contacts.
-class CrossingFaces {
- public:
-  // What is kept from pair to pair, for its memory.
-  struct Scratch {
-    // Something of a face's boundary at a place on the common line.
-    struct Item {
-      PlaceId place;
-      Operand solid;
-      BoundaryItem of;
-      friend auto operator<=>(const Item&, const Item&) = default;
-    };
-    struct Point {
-      PlaceId place;
-      PerOperand<std::span<const Item>> items;
-    };
-    struct EdgeOnLine {
-      Operand solid;
-      HalfEdgeId h;
-    };
-    std::vector<Item> items;
-    std::vector<Point> points;
-    std::vector<EdgeOnLine> edges_on_line;
-    std::vector<BoundaryItem> bounds;
-  };
-
-  CrossingFaces(const Workspace& w, const Contacts& found, const ContactTable& table,
-                std::vector<SegmentRecord>& out)
-      : w_(w), kernel_(w.tests()), found_(found), table_(table), out_(out) {}
-
-  void operator()(const PairOfFaces& pair) {
-    pair_ = pair;
-    scratch_.items.clear();
-    scratch_.edges_on_line.clear();
-    gather(Operand::a);
-    gather(Operand::b);
-    if (scratch_.items.empty()) return;
-    const PlaneId a = w_.patch[Operand::a].plane(pair.face[Operand::a]),
-                  b = w_.patch[Operand::b].plane(pair.face[Operand::b]);
-    line_ = kernel_.main_cross(a, b);
-    if (!find_points()) return;
-    if (add_items_within()) find_points();
-    // n(a) × n(b), as seen in the plane of each.
-    direction_[Operand::a] = {b, Sign::positive};
-    direction_[Operand::b] = {a, Sign::negative};
-    const auto& points = scratch_.points;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) between(points[i], points[i + 1]);
-  }
-
- private:
-  using Item = Scratch::Item;
-  using Point = Scratch::Point;
-  using EdgeOnLine = Scratch::EdgeOnLine;
-
-  void gather(Operand s) {
-    const Patch& patch = w_.patch[s];
-    for (const SidedHalfEdge& i : table_.meeting(pair_, s)) {
-      if (i.from == Sign::zero && i.to == Sign::zero) scratch_.edges_on_line.push_back({s, i.h});
-      if (i.from == Sign::zero) {
-        const VertexId v = patch.brep.from(i.h);
-        add(s, v, table_.find(s, patch.tested(v), pair_.face[other(s)]), i.h);
-      } else {
-        const EdgeId e = Brep::edge_of(i.h);
-        add(s, e, table_.find(s, patch.tested(e), pair_.face[other(s)]), i.h);
-      }
-    }
-  }
-
-  void add(Operand s, Entity piercer, std::span<const Hit> hits, HalfEdgeId h) {
-    if (hits.empty()) return;
-    const PlaceId place = found_.contacts[hits[0].contact].place;
-    scratch_.items.push_back({place, s, {piercer, h}});
-    scratch_.bounds.clear();
-    for (const Hit& hit : hits)
-      add_items(w_.patch[other(s)], pair_.face[other(s)], hit.found, scratch_.bounds);
-    for (const BoundaryItem& item : scratch_.bounds)
-      scratch_.items.push_back({place, other(s), item});
-  }
-
-  bool precedes(PointId p, PointId q) const {
-    return kernel_.compare(p, q, line_.axis) == line_.sign;
-  }
-
-  // Groups the items by place, and puts the places in the order of the line; false for one place.
-  bool find_points() {
-    auto& items = scratch_.items;
-    auto& points = scratch_.points;
-    std::sort(items.begin(), items.end());
-    items.erase(std::unique(items.begin(), items.end()), items.end());
-    points.clear();
-    for (auto from = items.begin(), to = from; from != items.end(); from = to) {
-      while (to != items.end() && to->place == from->place) ++to;
-      const auto second =
-          std::find_if(from, to, [](const Item& i) { return i.solid == Operand::b; });
-      points.push_back({from->place, {{{from, second}, {second, to}}}});
-    }
-    std::sort(points.begin(), points.end(), [&](const Point& p, const Point& q) {
-      return precedes(found_.point(p.place), found_.point(q.place));
-    });
-    return points.size() > 1;
-  }
-
-  // A face that touches itself may have places within an edge; the edge bounds it there too.
-  bool add_items_within() {
-    const std::size_t known = scratch_.items.size();
-    std::vector<Item> within;
-    for (const EdgeOnLine& e : scratch_.edges_on_line) {
-      const Brep& brep = w_.patch[e.solid].brep;
-      PointId from = brep.point_of(brep.from(e.h)), to = brep.point_of(brep.to(e.h));
-      if (!precedes(from, to)) std::swap(from, to);
-      auto p = std::partition_point(
-          scratch_.points.begin(), scratch_.points.end(),
-          [&](const Point& i) { return !precedes(from, found_.point(i.place)); });
-      for (; p != scratch_.points.end() && precedes(found_.point(p->place), to); ++p)
-        within.push_back({p->place, e.solid, {Brep::edge_of(e.h), e.h}});
-    }
-    append(scratch_.items, within);
-    return scratch_.items.size() > known;
-  }
-
-  void between(const Point& p, const Point& q) {
-    SegmentRecord record;
-    record.place[0] = p.place;
-    record.place[1] = q.place;
-    // Beside one of the faces, the other one may end anywhere.
-    for (const Operand s : both_operands) {
-      const Standing from = stands(s, p, direction_[s]);
-      if (from.where != Where::inside) return;
-      record.on[s] = pair_.face[s];
-      record.end[s][0] = from.entity;
-    }
-    for (const Operand s : both_operands) {
-      const Standing to = stands(s, q, -direction_[s]);
-      if (to.where != Where::inside)
-        throw InternalError("a line leaves a face without crossing its boundary");
-      record.end[s][1] = to.entity;
-    }
-    emit(out_, record);
-  }
-
-  Standing stands(Operand s, const Point& p, const Direction& direction) {
-    scratch_.bounds.clear();
-    for (const Item& item : p.items[s]) scratch_.bounds.push_back(item.of);
-    return standing(kernel_, w_.patch[s], pair_.face[s], scratch_.bounds, direction);
-  }
-
-  const Workspace& w_;
-  const Kernel& kernel_;
-  const Contacts& found_;
-  const ContactTable& table_;
-  Scratch scratch_;
-  std::vector<SegmentRecord>& out_;
-  PairOfFaces pair_{};
-  Kernel::AxisSign line_{};
-  PerOperand<Direction> direction_;
-};
-
 // An edge of solid s that lies in the plane of a face of the other solid.
 class EdgeInPlane {
  public:
@@ -332,7 +168,8 @@ class EdgeInPlane {
       record.end[other(s_)][0] = at.entity;
       if (at.where == Where::along) pass_through(places_[i + 1], at.half_edge);
       record.end[other(s_)][1] = end_entity(places_[i + 1], at, pair.face, along);
-      emit(out_, record);
+      record.put_in_order();
+      out_.push_back(record);
     }
   }
 

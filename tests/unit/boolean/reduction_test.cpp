@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "unit/boolean/phases.h"
@@ -49,6 +50,71 @@ TEST(Reduction, CubesThatOverlapInACornerMeetInAHexagon) {
     EXPECT_LT(r.place[0], r.place[1]);
     for (const Operand s : both_operands) EXPECT_TRUE(r.on[s].is_face());
   }
+}
+
+// One of the six axes.
+Vec3 outward_normal(const Workspace& w, Operand s, Entity face) {
+  const PlaneId plane = w.patch[s].plane(face.face());
+  const auto along = [&](int axis) { return double(w.tests().normal(plane, axis)); };
+  return {along(0), along(1), along(2)};
+}
+
+TEST(Reduction, SegmentsOfTwoFacesKnowWhichWayTheCrossProductOfTheNormalsPoints) {
+  Phases phases(test::lower_cube(), test::upper_cube(), Operation::unite);
+  ASSERT_EQ(phases.contacts().segments.size(), 6u);
+  for (const SegmentRecord& r : phases.contacts().segments) {
+    const Vec3 a = outward_normal(phases.w, Operand::a, r.on[Operand::a]),
+               b = outward_normal(phases.w, Operand::b, r.on[Operand::b]),
+               from = phases.position(r.place[0]), to = phases.position(r.place[1]);
+    const double along = (a.y * b.z - a.z * b.y) * (to.x - from.x) +
+                         (a.z * b.x - a.x * b.z) * (to.y - from.y) +
+                         (a.x * b.y - a.y * b.x) * (to.z - from.z);
+    EXPECT_EQ(r.sense, sign_of(along));
+  }
+}
+
+// A slab on which triangular prisms stand on an edge: the slab's face does not know of these edges.
+Solid prisms_on_their_edges(int count) {
+  Solid all = block({0, 0, -1}, {double(count), 3, 0});
+  for (int i = 0; i < count; ++i) {
+    const double x = i + 0.5;
+    const PolygonMesh prism{{{x, 1, 0},
+                             {x - 0.25, 1, 1},
+                             {x + 0.25, 1, 1},
+                             {x, 2, 0},
+                             {x - 0.25, 2, 1},
+                             {x + 0.25, 2, 1}},
+                            {3, 3, 4, 4, 4},
+                            {0, 2, 1, 3, 4, 5, 0, 1, 4, 3, 1, 2, 5, 4, 2, 0, 3, 5}};
+    all = boolean(all, Solid::from_mesh(prism), Operation::unite);
+  }
+  return all;
+}
+
+// Is a place strictly between the ends of a segment along the x axis?
+bool is_within(const Vec3& at, Vec3 from, Vec3 to) {
+  if (from.x > to.x) std::swap(from, to);
+  return from.y == to.y && from.z == to.z && at.y == from.y && at.z == from.z && from.x < at.x &&
+         at.x < to.x;
+}
+
+TEST(Reduction, SegmentsEndWhereAnEdgeOfTheSameOperandTouchesTheirFace) {
+  constexpr int count = 12;
+  Solid blocks;
+  for (int i = 0; i < count; ++i)
+    blocks = boolean(blocks, block({i + 0.25, 1.5, -0.5}, {i + 0.75, 5, 0.5}), Operation::unite);
+  Phases phases(prisms_on_their_edges(count), blocks, Operation::intersect);
+  const Contacts& contacts = phases.contacts();
+  ASSERT_GT(contacts.places.size() * contacts.segments.size(), 10000u);
+  int ends_at_edge = 0;
+  for (const SegmentRecord& r : contacts.segments) {
+    const Vec3 from = phases.position(r.place[0]), to = phases.position(r.place[1]);
+    for (const PlaceId place : contacts.places.ids())
+      EXPECT_FALSE(is_within(phases.position(place), from, to));
+    for (const Vec3& end : {from, to})
+      ends_at_edge += from.z == 0 && to.z == 0 && end.y == 1.5 && end.x - std::floor(end.x) == 0.5;
+  }
+  EXPECT_EQ(ends_at_edge, 2 * count);  // in the slab's face, on both sides of each edge
 }
 
 TEST(Reduction, FlushBlocksMeetInTheEdgesOfTheirCommonFace) {
