@@ -1,9 +1,9 @@
 #include "arrangement/rows_of_traces.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "search/edges_by_line.h"
+#include "search/free_stretches.h"
 #include "search/places_on_line.h"
 
 namespace sectile::arrangement {
@@ -26,19 +26,12 @@ void add_stretches(const Kernel& kernel, std::vector<Piece> row, std::vector<Pie
   const PlacesOnLine places(kernel, ends);
   std::sort(row.begin(), row.end(),
             [](const Piece& a, const Piece& b) { return a.across < b.across; });
-  std::vector<PlaneId> across(places.count());        // none on a stretch without a trace
-  std::vector<std::size_t> free(places.count() + 1);  // where the next one without may be
-  std::iota(free.begin(), free.end(), std::size_t(0));
-  const auto next_free = [&](std::size_t k) {
-    while (free[k] != k) k = free[k] = free[free[k]];
-    return k;
-  };
+  std::vector<PlaneId> across(places.count());  // none on a stretch without a trace
+  FreeStretches free(places.count());
   for (const Piece& t : row) {
     const auto [low, high] = std::minmax({places.of(t.from), places.of(t.to)});
-    for (std::size_t k = next_free(low); k < high; k = next_free(k)) {
-      across[k] = t.across;
-      free[k] = k + 1;
-    }
+    free.take(static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(high),
+              [&](std::uint32_t k) { across[k] = t.across; });
   }
   for (std::size_t k = 0; k + 1 < places.count(); ++k) {
     if (!across[k].valid()) continue;

@@ -10,6 +10,7 @@
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
 #include "numbers/disjoint_sets.h"
+#include "search/free_stretches.h"
 
 namespace sectile {
 namespace {
@@ -26,7 +27,6 @@ class RowOfEdges {
     std::sort(places_.begin(), places_.end());
     places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
     put_in_order(w, found);
-    free_.resize(places_.size());
   }
 
   // Each record divided at all places, but for pieces that show nothing new.
@@ -73,24 +73,14 @@ class RowOfEdges {
     const auto edge = [&](std::uint32_t i) { return records_[i].on[s]; };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::uint32_t i, std::uint32_t j) { return edge(i) < edge(j); });
+    FreeStretches free(places_.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
-      if (i == 0 || edge(order[i]) != edge(order[i - 1])) std::iota(free_.begin(), free_.end(), 0u);
-      show(order[i]);
+      if (i > 0 && edge(order[i]) != edge(order[i - 1])) free.free_all();
+      const std::uint32_t record = order[i];
+      const auto [low, high] =
+          std::minmax({number(records_[record].place[0]), number(records_[record].place[1])});
+      free.take(low, high, [&](std::uint32_t k) { shown_.push_back({k, record}); });
     }
-  }
-
-  void show(std::uint32_t record) {
-    const auto [low, high] =
-        std::minmax({number(records_[record].place[0]), number(records_[record].place[1])});
-    for (std::uint32_t k = next_free(low); k < high; k = next_free(k)) {
-      shown_.push_back({k, record});
-      free_[k] = k + 1;
-    }
-  }
-
-  std::uint32_t next_free(std::uint32_t k) {
-    while (free_[k] != k) k = free_[k] = free_[free_[k]];
-    return k;
   }
 
   // Within a record its edges pass through the places.
@@ -107,10 +97,9 @@ class RowOfEdges {
   }
 
   std::span<const SegmentRecord> records_;
-  std::vector<PlaceId> places_;      // ascending
-  std::vector<std::uint32_t> at_;    // per place: its number along the line
-  std::vector<PlaceId> along_;       // in their order along the line
-  std::vector<std::uint32_t> free_;  // per place: the next stretch that nothing is shown along
+  std::vector<PlaceId> places_;    // ascending
+  std::vector<std::uint32_t> at_;  // per place: its number along the line
+  std::vector<PlaceId> along_;     // in their order along the line
   std::vector<Shown> shown_;
 };
 
