@@ -26,10 +26,7 @@ std::uint32_t GeometryLoader::direction(std::uint32_t d) {
   return known;
 }
 
-PointId GeometryLoader::point(PointId p) {
-  if (!p.valid()) return p;
-  const std::uint32_t known = points_[p.value()];
-  if (known != IdMap::none) return PointId(known);
+PointId GeometryLoader::load(PointId p) {
   PointId made;
   if (from_.is_explicit(p)) {
     made = to_.add_point(from_.position(p));
@@ -46,8 +43,7 @@ PointId GeometryLoader::point(PointId p) {
   return made;
 }
 
-PlaneId GeometryLoader::plane(PlaneId s, bool turned) {
-  if (!s.valid()) return s;
+PlaneId GeometryLoader::plane_of(PlaneId s, bool turned) {
   IdMap& planes = made(planes_[turned], expected_, from_.planes.size());
   const std::uint32_t known = planes[s.value()];
   if (known != IdMap::none) return PlaneId(known);

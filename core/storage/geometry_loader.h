@@ -15,9 +15,13 @@ class GeometryLoader {
   GeometryLoader(const Geometry& from, Geometry& to, std::size_t expected)
       : from_(from), to_(to), expected_(expected), points_(expected, from.positions.size()) {}
 
-  PointId point(PointId p);
+  PointId point(PointId p) {
+    if (!p.valid()) return p;
+    const std::uint32_t known = points_[p.value()];
+    return known != IdMap::none ? PointId(known) : load(p);
+  }
   /// `turned`: with the opposite normal.
-  PlaneId plane(PlaneId s, bool turned = false);
+  PlaneId plane(PlaneId s, bool turned = false) { return s.valid() ? plane_of(s, turned) : s; }
   /// A plane that is there already, by another number.
   void set_plane(PlaneId from, PlaneId to);
   /// Those that were asked for before; may be called from many threads.
@@ -27,6 +31,8 @@ class GeometryLoader {
   }
 
  private:
+  PointId load(PointId p);
+  PlaneId plane_of(PlaneId s, bool turned);
   PlaneId copy(PlaneDefinition how, bool turned);
   std::uint32_t frame(std::uint32_t f);
   std::uint32_t direction(std::uint32_t d);

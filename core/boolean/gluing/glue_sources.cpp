@@ -11,7 +11,7 @@ GlueSources::GlueSources(Workspace& w, Operation operation, const FaceLabels& ke
   sources_.reserve(2 + blocks.made_anew(Operand::a).size() + blocks.made_anew(Operand::b).size());
   for (const Operand s : both_operands) {
     const Brep& brep = w.patch[s].brep;
-    sources_.push_back({s, GlueSource::patch, &brep, reversed(operation, s), {}, {}, {}, {}});
+    sources_.push_back({s, GlueSource::patch, &brep, reversed(operation, s), {}, {}, {}, {}, {}});
     sources_.back().made.resize(brep.half_edge_count());
     partner_[s].resize(brep.half_edge_count());
   }
@@ -41,14 +41,19 @@ void GlueSources::add_block(Geometry& geometry, Operand s, std::uint32_t slot, b
   const Slot& of_solid = w_.patch[s].solid->slot(slot);
   const Block& block = *of_solid.block;
   source_of_slot_[s][slot] = static_cast<std::uint32_t>(sources_.size());
-  auto loader =
-      std::make_unique<GeometryLoader>(block.geometry(), geometry, 2 * block.brep().face_count());
-  sources_.push_back(
-      {s, slot, &block.brep(), of_solid.turned != turned, std::move(loader), {}, {}, {}});
+  sources_.push_back({s, slot, &block.brep(), of_solid.turned != turned, {}, {}, {}, {}, {}});
   GlueSource& source = sources_.back();
   source.made.resize(block.brep().half_edge_count());
+  const std::size_t before = faces_.size();
   add_faces(source, [&](FaceId f) { return kept_.rest[s].label(slot, f) == 1; });
-  load_geometry(source);
+  // Copying what goes costs less than asking what stays.
+  const std::size_t all = block.brep().face_count(), stay = faces_.size() - before;
+  if (2 * stay > all && !source.turned) {
+    source.offset = append_geometry(block.geometry(), geometry);
+  } else {
+    source.geometry = std::make_unique<GeometryLoader>(block.geometry(), geometry, 2 * all);
+    load_geometry(source);
+  }
 }
 
 void GlueSources::load_geometry(GlueSource& source) {

@@ -25,7 +25,8 @@ struct GlueSource {
   std::uint32_t slot;  ///< of the block; `patch` otherwise
   const Brep* brep;
   bool turned;                               ///< do its faces turn their other sides outwards?
-  std::unique_ptr<GeometryLoader> geometry;  ///< of a block, into the workspace's
+  std::unique_ptr<GeometryLoader> geometry;  ///< of a block of which few faces stay
+  GeometryOffset offset;                     ///< of any other: where its geometry is
   Table<PlaneId, PlaneId> turned_planes;     ///< of a patch that is turned
   Table<FaceId, std::uint32_t> place;        ///< of a face that stays, or `nowhere`
   Table<HalfEdgeId, HalfEdgeId> made;        ///< what is made of it
@@ -33,11 +34,11 @@ struct GlueSource {
   static constexpr std::uint32_t patch = 0xFFFFFFFFu, nowhere = 0xFFFFFFFFu;
 
   /// In the workspace's geometry: of a point or a plane, and of a face's plane in the result.
-  PointId point(PointId p) const { return geometry ? geometry->known(p) : p; }
-  PlaneId plane(PlaneId s) const { return geometry ? geometry->known(s, false) : s; }
+  PointId point(PointId p) const { return geometry ? geometry->known(p) : offset.point(p); }
+  PlaneId plane(PlaneId s) const { return geometry ? geometry->known(s, false) : offset.plane(s); }
   PlaneId face_plane(FaceId f) const {
     const PlaneId s = brep->plane[f];
-    return geometry ? geometry->known(s, turned) : turned ? turned_planes[s] : s;
+    return geometry ? geometry->known(s, turned) : turned ? turned_planes[s] : offset.plane(s);
   }
   /// Is it an edge between the two sides of a cut, of which nothing stays?
   bool is_null(HalfEdgeId h) const {
