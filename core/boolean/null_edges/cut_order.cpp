@@ -233,7 +233,6 @@ class Ordering {
   }
 
   static void number_corners(const Patch& patch, VertexId vertex, std::span<Leaving> ends) {
-    if (ends.size() == 2) return number_two_corners(patch, vertex, ends[0], ends[1]);
     const auto corner = [](const Leaving& l) { return l.end.corner; };
     std::sort(ends.begin(), ends.end(),
               [&](const Leaving& p, const Leaving& q) { return corner(p) < corner(q); });
@@ -242,15 +241,6 @@ class Ordering {
       auto at = std::partition_point(ends.begin(), ends.end(),
                                      [&](const Leaving& l) { return corner(l) < h; });
       for (; at != ends.end() && corner(*at) == h; ++at) at->turn = turn;
-      ++turn;
-    });
-  }
-
-  static void number_two_corners(const Patch& patch, VertexId vertex, Leaving& p, Leaving& q) {
-    std::uint32_t turn = 0;
-    for_each_around(patch.brep, patch.brep.vertex_half_edge[vertex], [&](HalfEdgeId h) {
-      if (p.end.corner == h) p.turn = turn;
-      if (q.end.corner == h) q.turn = turn;
       ++turn;
     });
   }
