@@ -7,7 +7,6 @@
 #include "import/face_triangles.h"
 #include "parallel/parallel.h"
 #include "sectile/solid.h"
-#include "storage/block_elements.h"
 #include "storage/block_triangles.h"
 #include "storage/faces_as_read.h"
 #include "storage/moved_solid.h"
@@ -147,9 +146,8 @@ PolygonMesh mesh_of(const SolidData& data, BlockTriangles triangles,
   parallel::loop(0, data.slots().size(), [&](std::size_t i) {
     const auto s = static_cast<std::uint32_t>(i);
     if (data.slot(s).empty()) return;
-    BlockElements(*data.slot(s).block).each_vertex([&](std::uint32_t v, const Vec3& p, bool) {
-      if (triangles.owns(s, VertexId(v))) mesh.positions[triangles.vertex(s, VertexId(v))] = p;
-    });
+    triangles.each_own_vertex(s, *data.slot(s).block,
+                              [&](std::uint32_t v, const Vec3& p, bool) { mesh.positions[v] = p; });
   });
   mesh.indices = std::move(triangles.indices);
   sources = std::move(triangles.source);

@@ -1,32 +1,73 @@
-// Pairs of triangles that certainly meet in nothing but the corners that they have in common: what
-// doubles tell at once, as they do of nearly all.
+// Pairs of triangles that certainly meet in nothing but the corners that they have in common, and
+// did not on the way that rounding moved them: what doubles tell at once, as they do of nearly all.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
+#include "geometry/four_points.h"
 #include "numbers/sign.h"
 #include "sectile/mesh.h"
 
 namespace sectile {
 
-/// Vertices with one number are one corner; their places are exact.
+/// Vertices with one number are one corner.
 struct PlacedTriangle {
   std::array<std::uint32_t, 3> vertex;
   std::array<Vec3, 3> at;
 };
 
-/// From where a triangle has an area, and which way its corners turn then.
+/// The plane of a triangle whose corners were up to `slack` away in each coordinate, as were all
+/// points that it is asked about.
+class PlaneWithSlack {
+ public:
+  PlaneWithSlack() = default;
+  PlaneWithSlack(const Vec3& a, const Vec3& b, const Vec3& c, double slack);
+
+  /// On which side d certainly always was: positive where the points turn left as seen from d. Zero
+  /// if doubles do not tell.
+  Sign clear_side(const Vec3& d) const {
+    const Vec3& from = normal_.corner;
+    const double w[3] = {d.x - from.x, d.y - from.y, d.z - from.z};
+    const double reach = std::max({std::abs(w[0]), std::abs(w[1]), std::abs(w[2])});
+    const auto& [nx, ny, nz] = normal_.normal;
+    const auto& [sx, sy, sz] = normal_.size;
+    const double value = w[0] * nx + w[1] * ny + w[2] * nz;
+    const double sum = std::abs(w[0]) * sx + std::abs(w[1]) * sy + std::abs(w[2]) * sz;
+    // The roundings are those of NormalOfThree::clear_side.
+    if (reach < 0x1p200 && sum > 0x1p-700 &&
+        std::abs(value) > 9 * 0x1p-53 * sum + (off_ + off_with_reach_ * reach))
+      return sign_of(value);
+    return Sign::zero;
+  }
+  const NormalOfThree& normal() const { return normal_; }
+
+ private:
+  NormalOfThree normal_;
+  // How far the volume of the three points and a fourth may be off that of where they were, at the
+  // most: the first, and the second times the reach of the fourth from the first.
+  double off_ = 0, off_with_reach_ = 0;
+};
+
+/// From where a triangle always had an area, and which way its corners turn then.
 struct TriangleView {
   int axis = -1;  ///< none if doubles see no area
   Sign turn = Sign::zero;
   bool clear() const { return axis >= 0; }
 };
 
-TriangleView clear_view(const PlacedTriangle& triangle);
+/// A triangle with what is asked of it many times.
+struct ViewedTriangle {
+  ViewedTriangle(const PlacedTriangle& triangle, double slack);
 
-/// False if more than doubles is needed to tell. `view`: that of s, which is clear.
-bool clearly_meet_in_corners(const PlacedTriangle& s, const TriangleView& view,
-                             const PlacedTriangle& t);
+  PlacedTriangle placed;
+  PlaneWithSlack plane;
+  TriangleView view;
+};
+
+/// False if more than doubles is needed to tell. The view of s is clear. `slack`: that of both.
+bool clearly_meet_in_corners(const ViewedTriangle& s, const ViewedTriangle& t, double slack);
 
 }  // namespace sectile

@@ -29,7 +29,7 @@ class PlainRounding {
   std::optional<RoundedMesh> run() {
     const bool moved = !mesh_.moved().empty();
     if (moved && (!all_finite() || !make_legal())) return {};
-    const bool shells_known = !moved || shells_stay();
+    const bool shells_known = !moved || never_met_itself_ || shells_stay();
     note_report(result_.report);
     mesh_.move_into(result_);
     if (!shells_known && !result_.mesh.face_sizes.empty() &&
@@ -40,7 +40,12 @@ class PlainRounding {
 
  private:
   bool make_legal() {
-    Triangles suspects = unclear_triangles(mesh_), looked_at = mesh_.around(suspects);
+    Triangles suspects = unclear_triangles(mesh_);
+    if (suspects.empty()) {
+      never_met_itself_ = true;
+      return true;
+    }
+    Triangles looked_at = mesh_.around(suspects);
     for (int round = 0; round < most_rounds; ++round) {
       steps_.check();
       const std::optional<Triangles> faulty = find_faulty(std::move(looked_at), suspects);
@@ -140,6 +145,7 @@ class PlainRounding {
   const RoundingGrid& grid_;
   const Rounding& options_;
   RoundingSteps& steps_;
+  bool never_met_itself_ = false;  // on the way on which its corners moved
   RoundedMesh result_;
 };
 

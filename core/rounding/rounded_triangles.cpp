@@ -6,11 +6,12 @@
 #include <limits>
 #include <span>
 
+#include "geometry/axes.h"
 #include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
+#include "search/box_index.h"
 #include "search/bucket_sort.h"
 #include "storage/block_elements.h"
-#include "storage/element_counts.h"
 
 namespace sectile {
 namespace {
@@ -68,19 +69,17 @@ bool any_slot(std::size_t) {
 
 RoundedTriangles::RoundedTriangles(const SolidData& data, BlockTriangles triangles,
                                    const RoundingGrid& grid)
-    : triangles_(std::move(triangles)),
-      one_shell_(shell_count(data) == 1),
+    : data_(data),
+      triangles_(std::move(triangles)),
       positions_(triangles_.vertex_count),
       moved_at_(triangles_.vertex_count, none),
-      is_changed_(size(), 0),
-      is_gone_(size(), 0),
       bounds_(data.slots().size()),
       has_unsettled_(data.slots().size(), 0) {
-  round(data, grid);
+  round(grid);
 }
 
-void RoundedTriangles::round(const SolidData& data, const RoundingGrid& grid) {
-  const auto slots = data.slots();
+void RoundedTriangles::round(const RoundingGrid& grid) {
+  const auto slots = data_.slots();
   const bool stay = grid.has_all_doubles();  // but for what doubles cannot hold
   std::vector<std::vector<Moved>> moved(slots.size());
   parallel::loop(0, slots.size(), [&](std::size_t i) {
@@ -88,37 +87,30 @@ void RoundedTriangles::round(const SolidData& data, const RoundingGrid& grid) {
     if (slots[s].empty()) return;
     const Block& block = *slots[s].block;
     if (stay) bounds_[s] = block.bounds();
-    if (stay && block.compact_triangles() && !block.is_image())
-      take_positions(s, block.compact_triangles()->positions);
-    else
-      round(s, block, grid, moved[s]);
+    round(s, block, grid, moved[s]);
   });
   note_what_moved(moved);
   note_swept();
 }
 
-// All are where they were.
-void RoundedTriangles::take_positions(std::uint32_t slot, const std::vector<Vec3>& positions) {
-  const std::uint8_t* const owns = triangles_.owner_.data() + triangles_.first_vertex[slot];
-  const std::uint32_t* const number = triangles_.number.data() + triangles_.first_vertex[slot];
-  Vec3* const to = positions_.data();
-  for (std::size_t v = 0; v < positions.size(); ++v)
-    if (owns[v] != 0) to[number[v]] = positions[v];
-}
-
 void RoundedTriangles::round(std::uint32_t slot, const Block& block, const RoundingGrid& grid,
                              std::vector<Moved>& moved) {
-  const bool stay = grid.has_all_doubles();
+  if (grid.has_all_doubles()) {
+    triangles_.each_own_vertex(slot, block, [&](std::uint32_t v, const Vec3& from, bool is_exact) {
+      positions_[v] = from;
+      if (!is_exact) moved.push_back({v, from, false});
+    });
+    return;
+  }
   Bounds bounds;
-  BlockElements(block).each_vertex([&](std::uint32_t v, const Vec3& from, bool is_exact) {
-    const Vec3 to = stay ? from : grid.nearest(from);
-    if (!stay) bounds.add(to);
-    if (!triangles_.owns(slot, VertexId(v))) return;
-    const std::uint32_t number = triangles_.vertex(slot, VertexId(v));
-    positions_[number] = to;
-    if (!is_exact || !(to == from)) moved.push_back({number, from, is_exact});
+  BlockElements(block).each_vertex(
+      [&](std::uint32_t, const Vec3& from, bool) { bounds.add(grid.nearest(from)); });
+  bounds_[slot] = bounds.box();
+  triangles_.each_own_vertex(slot, block, [&](std::uint32_t v, const Vec3& from, bool is_exact) {
+    const Vec3 to = grid.nearest(from);
+    positions_[v] = to;
+    if (!is_exact || !(to == from)) moved.push_back({v, from, is_exact});
   });
-  if (!stay) bounds_[slot] = bounds.box();
 }
 
 void RoundedTriangles::note_what_moved(const std::vector<std::vector<Moved>>& moved) {
@@ -128,14 +120,11 @@ void RoundedTriangles::note_what_moved(const std::vector<std::vector<Moved>>& mo
       moved_.push_back(m);
     }
   const auto& first = triangles_.first_vertex;
-  for (std::size_t s = 0; s < first.size(); ++s) {
-    const auto of_slot =
-        std::span(triangles_.number)
-            .subspan(first[s],
-                     (s + 1 < first.size() ? first[s + 1] : triangles_.number.size()) - first[s]);
+  parallel::loop(0, has_unsettled_.size(), [&](std::size_t s) {
+    const auto of_slot = std::span(triangles_.number).subspan(first[s], first[s + 1] - first[s]);
     has_unsettled_[s] = std::any_of(of_slot.begin(), of_slot.end(),
                                     [&](std::uint32_t v) { return moved_at_[v] != none; });
-  }
+  });
 }
 
 void RoundedTriangles::note_swept() {
@@ -149,6 +138,17 @@ void RoundedTriangles::note_swept() {
     }
     swept_[i] = with_places(bounds);
   });
+}
+
+double RoundedTriangles::farthest_move() const {
+  double farthest = 0;
+  for (const Moved& m : moved_)
+    for (int k = 0; k < 3; ++k) {
+      const double from = component(m.from, k), to = component(positions_[m.vertex], k);
+      const double half_ulp = std::abs(from) * 0x1p-53 + std::numeric_limits<double>::denorm_min();
+      farthest = std::max(farthest, std::abs(to - from) + (m.was_exact ? 0 : half_ulp));
+    }
+  return farthest * (1 + 0x1p-40) + std::numeric_limits<double>::denorm_min();
 }
 
 Box RoundedTriangles::box(std::uint32_t t) const {
@@ -172,7 +172,7 @@ RoundedTriangles::Triangles RoundedTriangles::select(const SlotWanted& slot_want
     if (!slot_wanted(s)) return;
     const std::uint32_t end = triangles_.first_triangle[s + 1];
     for (std::uint32_t t = triangles_.first_triangle[s]; t < end; ++t)
-      if (is_gone_[t] == 0 && wanted(t)) found[s].push_back(t);
+      if (!is_gone(t) && wanted(t)) found[s].push_back(t);
   });
   Triangles all;
   for (const Triangles& some : found) all.insert(all.end(), some.begin(), some.end());
@@ -186,7 +186,7 @@ RoundedTriangles::Triangles RoundedTriangles::unsettled() const {
 
 bool RoundedTriangles::is_unsettled(std::uint32_t t) const {
   const Corners c = corners(t);
-  return is_changed_[t] != 0 || moved_at_[c[0]] != none || moved_at_[c[1]] != none ||
+  return is_changed(t) || moved_at_[c[0]] != none || moved_at_[c[1]] != none ||
          moved_at_[c[2]] != none;
 }
 
@@ -200,15 +200,9 @@ RoundedTriangles::Triangles RoundedTriangles::around(const Triangles& triangles)
   const std::vector<std::uint8_t> among = marks(triangles);
   std::vector<Box> boxes(triangles.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = box(triangles[i]);
-  const BoxTree tree(boxes, {}, std::is_sorted(triangles.begin(), triangles.end()));
-  const auto meets = [&](const Box& own) {
-    bool any = false;
-    tree.query([&](const Box& b) { return !any && b.overlaps(own); },
-               [&](std::uint32_t) { any = true; });
-    return any;
-  };
-  return select([&](std::size_t s) { return meets(bounds_[s]); },
-                [&](std::uint32_t t) { return among[t] != 0 || meets(box(t)); });
+  const BoxIndex index(boxes);
+  return select([&](std::size_t s) { return index.any_overlaps(bounds_[s]); },
+                [&](std::uint32_t t) { return among[t] != 0 || index.any_overlaps(box(t)); });
 }
 
 RoundedTriangles::Triangles RoundedTriangles::neighbours(const Triangles& triangles,
@@ -307,24 +301,19 @@ Box RoundedTriangles::with_places(Bounds bounds) {
 
 bool RoundedTriangles::shells_stay() const {
   if (swept_.empty()) return true;
-  const BoxTree tree(swept_);
-  const auto stays = [&](const Box& own) {
-    bool any = false;
-    tree.query([&](const Box& b) { return !any && b.overlaps(own); },
-               [&](std::uint32_t) { any = true; });
-    return !any;
-  };
+  const BoxIndex index(swept_);
+  const auto stays = [&](const Box& own) { return !index.any_overlaps(own); };
   std::vector<std::uint8_t> slot_stays(bounds_.size(), 0);
   parallel::loop(0, bounds_.size(), [&](std::size_t s) {
     slot_stays[s] =
         triangles_.first_triangle[s] < triangles_.first_triangle[s + 1] && stays(bounds_[s]);
   });
-  if (one_shell_ && !any_gone_ &&
+  if (is_gone_.empty() && one_shell() &&
       std::find(slot_stays.begin(), slot_stays.end(), 1) != slot_stays.end())
     return true;
   DisjointSets shells(positions_.size());
   for (std::uint32_t t = 0; t < size(); ++t) {
-    if (is_gone_[t] != 0) continue;
+    if (is_gone(t)) continue;
     const Corners c = corners(t);
     shells.unite(c[0], c[1]);
     shells.unite(c[0], c[2]);
@@ -334,7 +323,7 @@ bool RoundedTriangles::shells_stay() const {
   for (std::uint32_t s = 0; s < bounds_.size(); ++s)
     for (std::uint32_t t = triangles_.first_triangle[s]; t < triangles_.first_triangle[s + 1];
          ++t) {
-      if (is_gone_[t] != 0) continue;
+      if (is_gone(t)) continue;
       std::uint8_t& shell = shell_is[shells.first(corners(t)[0])];
       if (shell != known_to_stay)
         shell = slot_stays[s] != 0 || (!is_unsettled(t) && stays(box(t))) ? known_to_stay : unknown;
@@ -367,7 +356,7 @@ RoundedTriangles::Triangles RoundedTriangles::take_back(const MeshPart& part,
   for (std::size_t i = 0; i < part.triangle.size(); ++i) {
     const std::uint32_t t = part.triangle[i];
     if (r.alive[i] == 0) {
-      any_gone_ = true;
+      is_gone_.resize(size(), 0);
       is_gone_[t] = 1;
       Bounds swept;
       for (const std::uint32_t v : part.corners[i]) {
@@ -390,6 +379,7 @@ RoundedTriangles::Triangles RoundedTriangles::take_back(const MeshPart& part,
     }
     swept_.push_back(with_places(swept));
     triangles_.source[t] = r.source[i];
+    is_changed_.resize(size(), 0);
     is_changed_[t] = 1;
     const std::size_t slot = slot_of(t);
     has_unsettled_[slot] = 1;
@@ -405,7 +395,7 @@ void RoundedTriangles::drop_what_is_gone() {
   std::vector<Vec3> positions;
   std::size_t kept = 0;
   for (std::uint32_t t = 0; t < size(); ++t) {
-    if (is_gone_[t] != 0) continue;
+    if (is_gone(t)) continue;
     const Corners at = corners(t);
     for (std::size_t k = 0; k < 3; ++k) {
       std::uint32_t& n = number[at[k]];
@@ -423,7 +413,7 @@ void RoundedTriangles::drop_what_is_gone() {
 }
 
 void RoundedTriangles::move_into(RoundedMesh& result) {
-  if (any_gone_) drop_what_is_gone();
+  if (!is_gone_.empty()) drop_what_is_gone();
   result.mesh.face_sizes.assign(size(), 3);
   result.mesh.positions = std::move(positions_);
   result.mesh.indices = std::move(triangles_.indices);

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "rounding/rounded_surface.h"
-#include "search/box_tree.h"
+#include "search/box.h"
 #include "storage/block_triangles.h"
+#include "storage/element_counts.h"
 
 namespace sectile {
 
@@ -30,6 +31,7 @@ class RoundedTriangles {
     bool was_exact;  ///< `from` is the place
   };
 
+  /// Refers to the solid's data.
   RoundedTriangles(const SolidData& data, BlockTriangles triangles, const RoundingGrid& grid);
 
   std::size_t size() const { return triangles_.source.size(); }
@@ -46,9 +48,11 @@ class RoundedTriangles {
   }
   const std::vector<Vec3>& positions() const { return positions_; }
   const std::vector<std::uint32_t>& indices() const { return triangles_.indices; }
-  bool one_shell() const { return one_shell_; }
+  bool one_shell() const { return shell_count(data_) == 1; }
   /// Vertices that are not at their places.
   const std::vector<Moved>& moved() const { return moved_; }
+  /// No coordinate is farther than this from that of its place.
+  double farthest_move() const;
   /// Those of faces with more than three corners.
   const Triangles& cut() const { return triangles_.cut; }
   std::size_t slot_count() const { return bounds_.size(); }
@@ -85,14 +89,15 @@ class RoundedTriangles {
  private:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
-  void round(const SolidData& data, const RoundingGrid& grid);
+  void round(const RoundingGrid& grid);
   void round(std::uint32_t slot, const Block& block, const RoundingGrid& grid,
              std::vector<Moved>& moved);
-  void take_positions(std::uint32_t slot, const std::vector<Vec3>& positions);
   void note_what_moved(const std::vector<std::vector<Moved>>& moved);
   void note_swept();
   void note_moved(std::uint32_t vertex, const Vec3& from, bool was_exact);
   void drop_what_is_gone();
+  bool is_gone(std::uint32_t t) const { return !is_gone_.empty() && is_gone_[t] != 0; }
+  bool is_changed(std::uint32_t t) const { return !is_changed_.empty() && is_changed_[t] != 0; }
   Vec3 place_of(std::uint32_t vertex) const {
     return moved_at_[vertex] == none ? positions_[vertex] : moved_[moved_at_[vertex]].from;
   }
@@ -104,17 +109,16 @@ class RoundedTriangles {
   Triangles select(const SlotWanted& slot_wanted, const Wanted& wanted) const;
   std::size_t slot_of(std::uint32_t t) const;
 
+  const SolidData& data_;
   BlockTriangles triangles_;
-  bool one_shell_;
   std::vector<Vec3> positions_;  // per vertex
   std::vector<Moved> moved_;
   std::vector<std::uint32_t> moved_at_;   // per vertex: index of the above, or none
-  std::vector<std::uint8_t> is_changed_;  // per triangle
-  std::vector<std::uint8_t> is_gone_;     // per triangle
+  std::vector<std::uint8_t> is_changed_;  // per triangle; empty: none is
+  std::vector<std::uint8_t> is_gone_;     // per triangle; empty: none is
   std::vector<std::uint32_t> gone_to_;    // per vertex: to which it was joined, or none; if any was
-  bool any_gone_ = false;
-  std::vector<Box> swept_;                   // of what triangles passed through
-  std::vector<Box> bounds_;                  // per slot
+  std::vector<Box> swept_;                // of what triangles passed through
+  std::vector<Box> bounds_;               // per slot
   std::vector<std::uint8_t> has_unsettled_;  // per slot: may it have some?
 };
 

@@ -1,6 +1,7 @@
 #include "storage/block_triangles.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/face_predicates.h"
 #include "geometry/kernel.h"
@@ -112,9 +113,14 @@ class Collector {
   explicit Collector(const SolidData& data) : data_(data), slots_(data.slots()) {}
 
   std::optional<BlockTriangles> run() {
-    if (data_.touches_itself() || !cut_polygons()) return {};
+    if (data_.touches_itself()) return {};
+    bool cut = false;
+    std::optional<VertexSets> vertices;
+    parallel::invoke([&] { cut = cut_polygons(); }, [&] { vertices.emplace(data_); });
+    if (!cut) return {};
     count();
-    number_vertices();
+    number_vertices(*vertices);
+    result_.first_vertex = std::move(vertices->number.first);
     parallel::loop(0, slots_.size(), [&](std::size_t s) {
       if (!slots_[s].empty()) write(static_cast<std::uint32_t>(s));
     });
@@ -148,16 +154,28 @@ class Collector {
     result_.source.resize(triangles);
   }
 
-  void number_vertices() {
-    VertexSets vertices(data_);
-    result_.first_vertex = std::move(vertices.number.first);
+  // The first block that has a vertex gives it its number.
+  void number_vertices(const VertexSets& vertices) {
+    const std::vector<std::uint32_t>& first = vertices.number.first;
     result_.number.resize(vertices.number.count);
-    result_.owner_.resize(vertices.number.count);
-    for (std::uint32_t v = 0; v < result_.number.size(); ++v) {
-      const std::uint32_t first = vertices.sets.first(v);
-      result_.owner_[v] = first == v;
-      result_.number[v] = first == v ? result_.vertex_count++ : result_.number[first];
-    }
+    result_.first_own.resize(slots_.size());
+    parallel::loop(0, slots_.size(), [&](std::size_t s) {
+      std::uint32_t own = 0;
+      for (std::uint32_t v = first[s]; v < first[s + 1]; ++v)
+        own += vertices.sets.is_first(v) ? 1 : 0;
+      result_.first_own[s] = own;
+    });
+    for (std::uint32_t& own : result_.first_own)
+      result_.vertex_count += std::exchange(own, result_.vertex_count);
+    parallel::loop(0, slots_.size(), [&](std::size_t s) {
+      std::uint32_t next = result_.first_own[s];
+      for (std::uint32_t v = first[s]; v < first[s + 1]; ++v)
+        if (vertices.sets.is_first(v)) result_.number[v] = next++;
+    });
+    parallel::loop(0, slots_.size(), [&](std::size_t s) {
+      for (std::uint32_t v = first[s]; v < first[s + 1]; ++v)
+        if (!vertices.sets.is_first(v)) result_.number[v] = result_.number[vertices.sets.first(v)];
+    });
   }
 
   // Triangles first, then what other faces were cut into.

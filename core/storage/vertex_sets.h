@@ -5,36 +5,28 @@
 #include <span>
 #include <vector>
 
-#include "numbers/disjoint_sets.h"
+#include "numbers/concurrent_sets.h"
 #include "storage/solid_data.h"
 
 namespace sectile {
 
 /// Numbers for what the blocks have, one slot after another.
 struct NumbersOfSlots {
-  std::vector<std::uint32_t> first;  ///< per slot
+  std::vector<std::uint32_t> first;  ///< per slot, and the end
   std::uint32_t count = 0;
 
   template <class Count>
   NumbersOfSlots(std::span<const Slot> slots, const Count& count_of) {
+    first.reserve(slots.size() + 1);
     for (const Slot& slot : slots) {
       first.push_back(count);
       if (!slot.empty()) count += static_cast<std::uint32_t>(count_of(*slot.block));
     }
+    first.push_back(count);
   }
-};
 
-/// Counts how many sets are left when some are united.
-class CountedSets {
- public:
-  explicit CountedSets(std::size_t count) : sets_(count), count_(count) {}
-  void unite(std::uint32_t i, std::uint32_t j);
-  std::uint32_t first(std::uint32_t i) { return sets_.first(i); }
-  std::size_t count() const { return count_; }
-
- private:
-  DisjointSets sets_;
-  std::size_t count_;
+  /// Each a set of its own.
+  ConcurrentSets separate() const;
 };
 
 /// The blocks' own vertices, numbered, in one set if they are one vertex of the boundary: blocks
@@ -43,7 +35,8 @@ struct VertexSets {
   explicit VertexSets(const SolidData& solid);
 
   NumbersOfSlots number;
-  CountedSets sets;
+  ConcurrentSets sets;
+  std::size_t count = 0;  ///< of sets
 };
 
 }  // namespace sectile

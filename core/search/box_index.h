@@ -1,0 +1,78 @@
+// Which of many boxes overlap one: a hierarchy of four boxes each, which are tested at one go.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "search/box.h"
+
+namespace sectile {
+
+/// For single boxes that come one after another; pairs of two sets are the business of BoxTree.
+class BoxIndex {
+ public:
+  BoxIndex() = default;
+  /// Items are 0 … boxes.size() - 1.
+  explicit BoxIndex(const std::vector<Box>& boxes);
+
+  /// Calls visit(item) for all whose boxes overlap this one, until it returns false. Did it never?
+  template <class Visit>
+  bool overlapping(const Box& box, const Visit& visit) const;
+
+  bool any_overlaps(const Box& box) const {
+    return !overlapping(box, [](std::uint32_t) { return false; });
+  }
+
+ private:
+  // One instruction is for four numbers (an extension that GCC and Clang have in common).
+  using Floats = float __attribute__((vector_size(16)));
+  using Truths = std::int32_t __attribute__((vector_size(16)));
+
+  // Those that are not there are empty, and overlap nothing.
+  struct Four {
+    std::array<Floats, 3> low, high;
+
+    Four();
+    void set(std::size_t i, const Box& box);
+    Box around() const;
+    /// Bit i: that of box i.
+    unsigned overlap(const Box& box) const {
+      const Truths all = (low[0] <= box.high[0]) & (high[0] >= box.low[0]) &
+                         (low[1] <= box.high[1]) & (high[1] >= box.low[1]) &
+                         (low[2] <= box.high[2]) & (high[2] >= box.low[2]);
+      const Truths bits = all & Truths{1, 2, 4, 8};
+      return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
+    }
+  };
+  // Level and index in one number, as it is put away and taken back all the time.
+  static std::uint64_t node(std::uint64_t level, std::uint32_t index) {
+    return level << 32 | index;
+  }
+
+  std::vector<std::uint32_t> items_;       // along a curve
+  std::vector<std::vector<Four>> levels_;  // of the items first, of a single one last
+};
+
+template <class Visit>
+bool BoxIndex::overlapping(const Box& box, const Visit& visit) const {
+  if (items_.empty()) return true;
+  std::array<std::uint64_t, 64> open;  // three nodes of each of sixteen levels at most
+  std::size_t count = 0;
+  open[count++] = node(levels_.size() - 1, 0);
+  while (count > 0) {
+    const std::uint64_t next = open[--count], level = next >> 32;
+    const auto index = static_cast<std::uint32_t>(next);
+    for (unsigned hit = levels_[level][index].overlap(box); hit != 0; hit &= hit - 1) {
+      const std::uint32_t below = 4 * index + static_cast<std::uint32_t>(std::countr_zero(hit));
+      if (level > 0)
+        open[count++] = node(level - 1, below);
+      else if (!visit(items_[below]))
+        return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace sectile
