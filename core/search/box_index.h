@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "search/box.h"
+#include "search/four_boxes.h"
 
 namespace sectile {
 
@@ -26,33 +26,13 @@ class BoxIndex {
   }
 
  private:
-  // One instruction is for four numbers (an extension that GCC and Clang have in common).
-  using Floats = float __attribute__((vector_size(16)));
-  using Truths = std::int32_t __attribute__((vector_size(16)));
-
-  // Those that are not there are empty, and overlap nothing.
-  struct Four {
-    std::array<Floats, 3> low, high;
-
-    Four();
-    void set(std::size_t i, const Box& box);
-    Box around() const;
-    /// Bit i: that of box i.
-    unsigned overlap(const Box& box) const {
-      const Truths all = (low[0] <= box.high[0]) & (high[0] >= box.low[0]) &
-                         (low[1] <= box.high[1]) & (high[1] >= box.low[1]) &
-                         (low[2] <= box.high[2]) & (high[2] >= box.low[2]);
-      const Truths bits = all & Truths{1, 2, 4, 8};
-      return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
-    }
-  };
   // Level and index in one number, as it is put away and taken back all the time.
   static std::uint64_t node(std::uint64_t level, std::uint32_t index) {
     return level << 32 | index;
   }
 
-  std::vector<std::uint32_t> items_;       // along a curve
-  std::vector<std::vector<Four>> levels_;  // of the items first, of a single one last
+  std::vector<std::uint32_t> items_;            // along a curve
+  std::vector<std::vector<FourBoxes>> levels_;  // of the items first, of a single one last
 };
 
 template <class Visit>
@@ -64,7 +44,7 @@ bool BoxIndex::overlapping(const Box& box, const Visit& visit) const {
   while (count > 0) {
     const std::uint64_t next = open[--count], level = next >> 32;
     const auto index = static_cast<std::uint32_t>(next);
-    for (unsigned hit = levels_[level][index].overlap(box); hit != 0; hit &= hit - 1) {
+    for (unsigned hit = levels_[level][index].overlapping(box); hit != 0; hit &= hit - 1) {
       const std::uint32_t below = 4 * index + static_cast<std::uint32_t>(std::countr_zero(hit));
       if (level > 0)
         open[count++] = node(level - 1, below);

@@ -84,14 +84,15 @@ BoxTree::BoxTree(const std::vector<Box>& boxes, const std::vector<std::uint32_t>
   if (boxes.empty()) return;
   items_ = along_curve ? as_given(boxes.size()) : sorted_along_curve(boxes);
   if (!group.empty() && !along_curve) put_groups_together(items_, boxes, group);
-  item_boxes_.resize(boxes.size());
   std::vector<Box> leaves((boxes.size() + leaf_size - 1) / leaf_size);
+  leaf_boxes_.resize(leaves.size());
   for_range(leaves.size(), [&](std::size_t from, std::size_t to) {
     for (std::size_t leaf = from; leaf < to; ++leaf) {
       const auto [begin, end] = range(static_cast<std::uint32_t>(leaf));
       for (std::uint32_t i = begin; i < end; ++i) {
-        item_boxes_[i] = boxes[items_[i]];
-        leaves[leaf].add(item_boxes_[i]);
+        const Box& box = boxes[items_[i]];
+        leaf_boxes_[leaf].set(i - begin, box);
+        leaves[leaf].add(box);
       }
     }
   });

@@ -2,12 +2,13 @@
 // them.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "search/box.h"
+#include "search/four_boxes.h"
 
 namespace sectile {
 
@@ -112,11 +113,14 @@ class BoxTree {
                         h = b.group_levels_[q.level][q.index];
     return g != no_group && h != no_group && skip(g, h);
   }
-  struct NearItems {
-    std::uint32_t item[leaf_size], count = 0;  // in the order of the curve
-  };
+  static_assert(leaf_size == 4);  // as many as FourBoxes
   template <class IsApart>
-  NearItems near_items(Node leaf, const Box& box, const IsApart& is_apart) const;
+  unsigned near_items(std::uint32_t leaf, const Box& box, const IsApart& is_apart) const;
+  /// Calls visit(i), ascending, for all bits i that are set.
+  template <class Visit>
+  static void for_each_bit(unsigned bits, const Visit& visit) {
+    for (; bits != 0; bits &= bits - 1) visit(static_cast<unsigned>(std::countr_zero(bits)));
+  }
   void build_groups(const std::vector<std::uint32_t>& group);
   bool are_of_one_group(std::uint32_t i, std::uint32_t j) const {
     return !item_groups_.empty() && item_groups_[i] != no_group &&
@@ -133,11 +137,11 @@ class BoxTree {
     }
     const auto [from, to] = range(n.index);
     for (std::uint32_t i = from; i < to; ++i)
-      if (meets(item_boxes_[i])) visit(items_[i]);
+      if (meets(leaf_boxes_[n.index].get(i - from))) visit(items_[i]);
   }
 
   std::vector<std::uint32_t> items_;      // in the order of a curve
-  std::vector<Box> item_boxes_;           // in the same order
+  std::vector<FourBoxes> leaf_boxes_;     // those of the items of each leaf
   std::vector<std::vector<Box>> levels_;  // leaves first, the root last
   // The common group of all items of a node, or no_group. Empty if there are no groups.
   std::vector<std::uint32_t> item_groups_;
@@ -163,10 +167,13 @@ void BoxTree::self_overlaps(const SelfPart& part, Visit&& visit, const Apart& ap
     return;
   }
   const auto [from, to] = range(p.index);
-  for (std::uint32_t i = from; i < to; ++i)
-    for (std::uint32_t j = i + 1; j < to; ++j)
-      if (item_boxes_[i].overlaps(item_boxes_[j]) && !are_of_one_group(i, j))
-        visit(items_[i], items_[j]);
+  const FourBoxes& boxes = leaf_boxes_[p.index];
+  for (std::uint32_t i = from; i + 1 < to; ++i) {
+    const unsigned later = 0xEu << (i - from);
+    for_each_bit(boxes.overlapping(boxes.get(i - from)) & later, [&, first = from](unsigned l) {
+      if (!are_of_one_group(i, first + l)) visit(items_[i], items_[first + l]);
+    });
+  }
 }
 
 template <class Visit, class Skip, class Apart>
@@ -176,21 +183,23 @@ void BoxTree::overlaps(const BoxTree& a, Node p, const BoxTree& b, Node q, Visit
   if (p.level == 0 || q.level == 0) {
     const auto of_a = [&](std::uint32_t item) { return apart.item_of_a(item, b.box(q)); };
     const auto of_b = [&](std::uint32_t item) { return apart.item_of_b(item, a.box(p)); };
-    const NearItems near_a = p.level == 0 ? a.near_items(p, b.box(q), of_a) : NearItems{{}, 1};
-    if (near_a.count == 0) return;
-    const NearItems near_b = q.level == 0 ? b.near_items(q, a.box(p), of_b) : NearItems{{}, 1};
-    if (near_b.count == 0) return;
+    const unsigned near_a = p.level == 0 ? a.near_items(p.index, b.box(q), of_a) : 1;
+    if (near_a == 0) return;
+    const unsigned near_b = q.level == 0 ? b.near_items(q.index, a.box(p), of_b) : 1;
+    if (near_b == 0) return;
     if (p.level == 0 && q.level == 0) {
       const bool grouped = !a.item_groups_.empty() && !b.item_groups_.empty();
-      for (std::uint32_t k = 0; k < near_a.count; ++k)
-        for (std::uint32_t l = 0; l < near_b.count; ++l) {
-          const std::uint32_t i = near_a.item[k], j = near_b.item[l];
-          if (!a.item_boxes_[i].overlaps(b.item_boxes_[j])) continue;
+      const FourBoxes &boxes_of_a = a.leaf_boxes_[p.index], &boxes_of_b = b.leaf_boxes_[q.index];
+      for_each_bit(near_a, [&](unsigned k) {
+        const std::uint32_t i = p.index * leaf_size + k;
+        for_each_bit(near_b & boxes_of_b.overlapping(boxes_of_a.get(k)), [&](unsigned l) {
+          const std::uint32_t j = q.index * leaf_size + l;
           if (grouped && a.item_groups_[i] != no_group && b.item_groups_[j] != no_group &&
               skip(a.item_groups_[i], b.item_groups_[j]))
-            continue;
+            return;
           visit(a.items_[i], b.items_[j]);
-        }
+        });
+      });
       return;
     }
   }
@@ -204,16 +213,15 @@ void BoxTree::overlaps(const BoxTree& a, Node p, const BoxTree& b, Node q, Visit
   }
 }
 
-// Of a leaf: those that may meet what is in a box, as far as boxes tell, and, if they are larger,
-// is_apart(item).
+// Bits: those of a leaf that may meet what is in a box, as far as boxes tell, and, if they are
+// larger, is_apart(item).
 template <class IsApart>
-BoxTree::NearItems BoxTree::near_items(Node leaf, const Box& box, const IsApart& is_apart) const {
-  NearItems near;
-  const auto [from, to] = range(leaf.index);
-  for (std::uint32_t i = from; i < to; ++i)
-    if (item_boxes_[i].overlaps(box) &&
-        !(item_boxes_[i].is_larger_than(box) && is_apart(items_[i])))
-      near.item[near.count++] = i;
+unsigned BoxTree::near_items(std::uint32_t leaf, const Box& box, const IsApart& is_apart) const {
+  unsigned near = leaf_boxes_[leaf].overlapping(box);
+  for_each_bit(near, [&](unsigned i) {
+    if (leaf_boxes_[leaf].get(i).is_larger_than(box) && is_apart(items_[leaf * leaf_size + i]))
+      near &= ~(1u << i);
+  });
   return near;
 }
 

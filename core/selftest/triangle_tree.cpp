@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "parallel/parallel.h"
 #include "search/curve_order.h"
@@ -37,40 +36,6 @@ void sort_along_curve(std::vector<std::uint32_t>& triangles, const TriangleSurfa
 }
 
 }  // namespace
-
-// No comparison with them holds: boxes without end overlap them no more than others do.
-EightBoxes::EightBoxes() {
-  constexpr float none = std::numeric_limits<float>::quiet_NaN();
-  for (unsigned i = 0; i < 8; ++i) set(i, {{none, none, none}, {none, none, none}});
-}
-
-void EightBoxes::set(unsigned i, const Box& box) {
-  for (int k = 0; k < 3; ++k) {
-    low[k][i] = box.low[k];
-    high[k][i] = box.high[k];
-  }
-}
-
-Box EightBoxes::get(unsigned i) const {
-  return {{low[0][i], low[1][i], low[2][i]}, {high[0][i], high[1][i], high[2][i]}};
-}
-
-Box EightBoxes::all() const {
-  Box box;
-  for (unsigned i = 0; i < 8; ++i) box.add(get(i));
-  return box;
-}
-
-unsigned EightBoxes::overlapping(const Box& box) const {
-  unsigned apart[8] = {};
-  for (int k = 0; k < 3; ++k)
-    for (unsigned i = 0; i < 8; ++i)
-      apart[i] |= static_cast<unsigned>(!(low[k][i] <= box.high[k])) |
-                  static_cast<unsigned>(!(box.low[k] <= high[k][i]));
-  unsigned bits = 0;
-  for (unsigned i = 0; i < 8; ++i) bits |= (apart[i] ^ 1u) << i;
-  return bits;
-}
 
 TriangleTree::TriangleTree(const TriangleSurface& surface, const Geometry& geometry,
                            std::vector<std::uint32_t> triangles) {

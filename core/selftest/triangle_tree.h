@@ -6,22 +6,10 @@
 #include <vector>
 
 #include "geometry/geometry.h"
-#include "search/box.h"
+#include "search/four_boxes.h"
 #include "selftest/triangle_surface.h"
 
 namespace sectile {
-
-/// Eight boxes side by side. Those that are not there are empty and overlap nothing.
-struct EightBoxes {
-  float low[3][8], high[3][8];
-
-  EightBoxes();
-  void set(unsigned i, const Box& box);
-  Box get(unsigned i) const;
-  Box all() const;
-  /// Bit i: box i overlaps another one.
-  unsigned overlapping(const Box& box) const;
-};
 
 /// Triangles in the order of a curve. Node i of level 0 has the triangles 8 i to 8 i + 7 of that
 /// order, and node i of level l + 1 the nodes 8 i to 8 i + 7 of level l.

@@ -47,6 +47,16 @@ TEST(BoxIndex, FindsBoxesThatTouchAndInfiniteOnes) {
   EXPECT_EQ(found, 2);
 }
 
+TEST(BoxIndex, WhatIsEverywhereMeetsEachBoxOnce) {
+  for (const std::size_t count : {1u, 5u, 21u, 66u}) {
+    std::size_t found = 0;
+    BoxIndex(random_boxes(count, 1, 9)).overlapping(Box::everything(), [&](std::uint32_t) {
+      return ++found > 0;
+    });
+    EXPECT_EQ(found, count);
+  }
+}
+
 TEST(BoxIndex, StopsWhenItIsTold) {
   const BoxIndex index(random_boxes(100, 10, 7));
   int visited = 0;
