@@ -40,7 +40,8 @@ class PlainRounding {
 
  private:
   bool make_legal() {
-    Triangles suspects = unclear_triangles(mesh_);
+    Triangles suspects = unclear_triangles(mesh_, steps_);
+    steps_.pass(0.8);
     if (suspects.empty()) {
       never_met_itself_ = true;
       return true;
@@ -155,9 +156,9 @@ std::optional<RoundedMesh> plain_rounding(const SolidData& data, const RoundingG
                                           const Rounding& options, RoundingSteps& steps) {
   auto triangles = block_triangles(data);
   if (!triangles) return {};
-  steps.check();
+  steps.pass(0.3);
   RoundedTriangles mesh(data, std::move(*triangles), grid);
-  steps.check();
+  steps.pass(0.3);
   return PlainRounding(std::move(mesh), grid, options, steps).run();
 }
 

@@ -24,6 +24,12 @@ class RoundingSteps {
   void check() const {
     if (options_.cancel && options_.cancel->load(std::memory_order_relaxed)) throw Cancelled();
   }
+  /// A part that takes this share of what is left has been done.
+  void pass(double share) {
+    done_ += share * (1 - done_);
+    if (options_.progress) options_.progress(done_);
+    check();
+  }
   void finish() const {
     if (options_.progress) options_.progress(1);
   }

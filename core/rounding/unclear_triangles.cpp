@@ -20,8 +20,8 @@ class UnclearTriangles {
   using Triangles = RoundedTriangles::Triangles;
 
  public:
-  explicit UnclearTriangles(const RoundedTriangles& mesh)
-      : mesh_(mesh), slack_(mesh.farthest_move()) {}
+  UnclearTriangles(const RoundedTriangles& mesh, const RoundingSteps& steps)
+      : mesh_(mesh), steps_(steps), slack_(mesh.farthest_move()) {}
 
   Triangles run() {
     const Triangles unsettled = mesh_.unsettled();
@@ -55,6 +55,7 @@ class UnclearTriangles {
 
   void meet_each_other() {
     parallel::loop(tbb::blocked_range<std::size_t>(0, moved_.size(), 64), [&](const auto& range) {
+      steps_.check();
       unclear_.lend([&](Triangles& unclear) {
         for (std::size_t j = range.begin(); j < range.end(); ++j)
           meet_moved(number_[j], moved_[j].placed, static_cast<std::uint32_t>(j), unclear);
@@ -64,6 +65,7 @@ class UnclearTriangles {
 
   void meet_others() {
     parallel::loop(0, mesh_.slot_count(), [&](std::size_t s) {
+      steps_.check();
       if (index_.any_overlaps(mesh_.bounds(s))) meet_slot(s);
     });
   }
@@ -127,6 +129,7 @@ class UnclearTriangles {
   }
 
   const RoundedTriangles& mesh_;
+  const RoundingSteps& steps_;
   const double slack_;
   std::vector<ViewedTriangle> moved_;  // those that are looked at here
   std::vector<std::uint32_t> number_;  // of each
@@ -137,8 +140,9 @@ class UnclearTriangles {
 
 }  // namespace
 
-RoundedTriangles::Triangles unclear_triangles(const RoundedTriangles& mesh) {
-  return UnclearTriangles(mesh).run();
+RoundedTriangles::Triangles unclear_triangles(const RoundedTriangles& mesh,
+                                              const RoundingSteps& steps) {
+  return UnclearTriangles(mesh, steps).run();
 }
 
 }  // namespace sectile

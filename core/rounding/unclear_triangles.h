@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rounding/rounded_triangles.h"
+#include "rounding/rounding_steps.h"
 
 namespace sectile {
 
@@ -10,6 +11,8 @@ namespace sectile {
 /// area are among them. As a rule there are hardly any: doubles tell of most pairs that rounding
 /// did no harm. If there are none, the surface never met itself on that way, and nothing is inside
 /// or outside now that was not before.
-RoundedTriangles::Triangles unclear_triangles(const RoundedTriangles& mesh);
+/// May throw Cancelled.
+RoundedTriangles::Triangles unclear_triangles(const RoundedTriangles& mesh,
+                                              const RoundingSteps& steps);
 
 }  // namespace sectile
