@@ -149,10 +149,10 @@ bool clear_at_edge(const PlacedTriangle& s, std::size_t i, const TriangleView& v
   return clear_turn(s.at[i], s.at[after[i]], far, view.axis, slack) == -view.turn;
 }
 
-TriangleView clear_view(const PlacedTriangle& triangle, const NormalOfThree& normal, double slack) {
+TriangleView clear_view(const PlacedTriangle& triangle, const std::array<double, 3>& normal,
+                        double slack) {
   const auto& [a, b, c] = triangle.at;
-  const double n[3] = {std::abs(normal.normal[0]), std::abs(normal.normal[1]),
-                       std::abs(normal.normal[2])};
+  const double n[3] = {std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])};
   const int axis = n[0] >= n[1] ? (n[0] >= n[2] ? 0 : 2) : (n[1] >= n[2] ? 1 : 2);
   const Sign turn = clear_turn(a, b, c, axis, slack);
   return turn == Sign::zero ? TriangleView() : TriangleView{axis, turn};
@@ -161,14 +161,18 @@ TriangleView clear_view(const PlacedTriangle& triangle, const NormalOfThree& nor
 }  // namespace
 
 // The volume is a sum of six products of three differences. Each was off by two slacks at the most.
+// The roundings are those of NormalOfThree::clear_side, less than nine.
 PlaneWithSlack::PlaneWithSlack(const Vec3& a, const Vec3& b, const Vec3& c, double slack)
-    : normal_(a, b, c) {
-  if (slack == 0) return;
+    : corner_(a) {
+  const NormalOfThree three(a, b, c);
+  normal_ = three.normal;
   const double span = std::max({std::abs(b.x - a.x), std::abs(b.y - a.y), std::abs(b.z - a.z),
                                 std::abs(c.x - a.x), std::abs(c.y - a.y), std::abs(c.z - a.z)}) +
                       2 * slack;
-  off_with_reach_ = (1 + 0x1p-40) * 24 * slack * span;
-  off_ = (1 + 0x1p-40) * 12 * slack * span * span + 2 * slack * off_with_reach_;
+  const double moved = 24 * slack * span;
+  off_ = (1 + 0x1p-40) * (12 * slack * span * span + 2 * slack * moved);
+  off_with_reach_ =
+      (1 + 0x1p-40) * (9 * 0x1p-53 * (three.size[0] + three.size[1] + three.size[2]) + moved);
 }
 
 ViewedTriangle::ViewedTriangle(const PlacedTriangle& triangle, double slack)

@@ -29,23 +29,18 @@ class PlaneWithSlack {
   /// On which side d certainly always was: positive where the points turn left as seen from d. Zero
   /// if doubles do not tell.
   Sign clear_side(const Vec3& d) const {
-    const Vec3& from = normal_.corner;
-    const double w[3] = {d.x - from.x, d.y - from.y, d.z - from.z};
+    const double w[3] = {d.x - corner_.x, d.y - corner_.y, d.z - corner_.z};
     const double reach = std::max({std::abs(w[0]), std::abs(w[1]), std::abs(w[2])});
-    const auto& [nx, ny, nz] = normal_.normal;
-    const auto& [sx, sy, sz] = normal_.size;
-    const double value = w[0] * nx + w[1] * ny + w[2] * nz;
-    const double sum = std::abs(w[0]) * sx + std::abs(w[1]) * sy + std::abs(w[2]) * sz;
-    // The roundings are those of NormalOfThree::clear_side.
-    if (reach < 0x1p200 && sum > 0x1p-700 &&
-        std::abs(value) > 9 * 0x1p-53 * sum + (off_ + off_with_reach_ * reach))
-      return sign_of(value);
-    return Sign::zero;
+    const double value = w[0] * normal_[0] + w[1] * normal_[1] + w[2] * normal_[2];
+    const double off = off_ + off_with_reach_ * reach;
+    // Underflow of products is nothing beside numbers of that order.
+    return reach < 0x1p200 && off > 0x1p-750 && std::abs(value) > off ? sign_of(value) : Sign::zero;
   }
-  const NormalOfThree& normal() const { return normal_; }
+  const std::array<double, 3>& normal() const { return normal_; }
 
  private:
-  NormalOfThree normal_;
+  Vec3 corner_;
+  std::array<double, 3> normal_ = {};
   // How far the volume of the three points and a fourth may be off that of where they were, at the
   // most: the first, and the second times the reach of the fourth from the first.
   double off_ = 0, off_with_reach_ = 0;
@@ -60,6 +55,7 @@ struct TriangleView {
 
 /// A triangle with what is asked of it many times.
 struct ViewedTriangle {
+  ViewedTriangle() = default;
   ViewedTriangle(const PlacedTriangle& triangle, double slack);
 
   PlacedTriangle placed;

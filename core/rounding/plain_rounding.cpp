@@ -29,7 +29,7 @@ class PlainRounding {
   std::optional<RoundedMesh> run() {
     const bool moved = !mesh_.moved().empty();
     if (moved && (!all_finite() || !make_legal())) return {};
-    const bool shells_known = !moved || never_met_itself_ || shells_stay();
+    const bool shells_known = !moved || shells_stay();
     note_report(result_.report);
     mesh_.move_into(result_);
     if (!shells_known && !result_.mesh.face_sizes.empty() &&
@@ -40,13 +40,11 @@ class PlainRounding {
 
  private:
   bool make_legal() {
-    Triangles suspects = unclear_triangles(mesh_, steps_);
+    UnclearTriangles unclear = unclear_triangles(mesh_, steps_);
     steps_.pass(0.8);
-    if (suspects.empty()) {
-      never_met_itself_ = true;
-      return true;
-    }
-    Triangles looked_at = mesh_.around(suspects);
+    mesh_.note_unclear(unclear.all, unclear.not_looked_at);
+    if (unclear.all.empty()) return true;
+    Triangles suspects = std::move(unclear.all), looked_at = mesh_.around(suspects);
     for (int round = 0; round < most_rounds; ++round) {
       steps_.check();
       const std::optional<Triangles> faulty = find_faulty(std::move(looked_at), suspects);
@@ -58,12 +56,7 @@ class PlainRounding {
     return false;
   }
 
-  // Where most corners moved, hardly any triangle stays.
-  bool shells_stay() const {
-    const bool most_moved = 2 * mesh_.moved().size() > mesh_.positions().size();
-    return (most_moved && is_one_shell_around_volume()) || mesh_.shells_stay() ||
-           (!most_moved && is_one_shell_around_volume());
-  }
+  bool shells_stay() const { return mesh_.shells_stay() || is_one_shell_around_volume(); }
   bool is_one_shell_around_volume() const {
     return mesh_.one_shell() && result_.report.merged == 0 &&
            clearly_encloses_volume(mesh_.positions(), mesh_.indices());
@@ -146,7 +139,6 @@ class PlainRounding {
   const RoundingGrid& grid_;
   const Rounding& options_;
   RoundingSteps& steps_;
-  bool never_met_itself_ = false;  // on the way on which its corners moved
   RoundedMesh result_;
 };
 

@@ -90,7 +90,6 @@ void RoundedTriangles::round(const RoundingGrid& grid) {
     round(s, block, grid, moved[s]);
   });
   note_what_moved(moved);
-  note_swept();
 }
 
 void RoundedTriangles::round(std::uint32_t slot, const Block& block, const RoundingGrid& grid,
@@ -127,17 +126,14 @@ void RoundedTriangles::note_what_moved(const std::vector<std::vector<Moved>>& mo
   });
 }
 
-void RoundedTriangles::note_swept() {
-  const Triangles swept = unsettled();
-  swept_.resize(swept.size());
-  for_each(swept.size(), [&](std::size_t i) {
-    Bounds bounds;
-    for (const std::uint32_t v : corners(swept[i])) {
-      bounds.add(place_of(v));
-      bounds.add(positions_[v]);
-    }
-    swept_[i] = with_places(bounds);
-  });
+// Around a triangle and where its corners were.
+Box RoundedTriangles::swept_box(std::uint32_t t) const {
+  Bounds bounds;
+  for (const std::uint32_t v : corners(t)) {
+    bounds.add(place_of(v));
+    bounds.add(positions_[v]);
+  }
+  return with_places(bounds);
 }
 
 double RoundedTriangles::farthest_move() const {
@@ -299,18 +295,23 @@ Box RoundedTriangles::with_places(Bounds bounds) {
   return bounds.box();
 }
 
+void RoundedTriangles::note_unclear(const Triangles& unclear, const Triangles& not_looked_at) {
+  if (!unclear.empty()) is_unclear_ = marks(unclear);
+  swept_.resize(not_looked_at.size());
+  for_each(swept_.size(), [&](std::size_t i) { swept_[i] = swept_box(not_looked_at[i]); });
+}
+
 bool RoundedTriangles::shells_stay() const {
-  if (swept_.empty()) return true;
+  if (is_unclear_.empty()) return true;
   const BoxIndex index(swept_);
-  const auto stays = [&](const Box& own) { return !index.any_overlaps(own); };
-  std::vector<std::uint8_t> slot_stays(bounds_.size(), 0);
-  parallel::loop(0, bounds_.size(), [&](std::size_t s) {
-    slot_stays[s] =
-        triangles_.first_triangle[s] < triangles_.first_triangle[s + 1] && stays(bounds_[s]);
-  });
-  if (is_gone_.empty() && one_shell() &&
-      std::find(slot_stays.begin(), slot_stays.end(), 1) != slot_stays.end())
-    return true;
+  const auto stays = [&](std::uint32_t t) {
+    return is_unclear_[t] == 0 && !is_changed(t) && !index.any_overlaps(swept_box(t));
+  };
+  if (is_gone_.empty() && one_shell()) {
+    for (std::uint32_t t = 0; t < size(); ++t)
+      if (stays(t)) return true;
+    return false;
+  }
   DisjointSets shells(positions_.size());
   for (std::uint32_t t = 0; t < size(); ++t) {
     if (is_gone(t)) continue;
@@ -320,14 +321,11 @@ bool RoundedTriangles::shells_stay() const {
   }
   enum : std::uint8_t { not_there, unknown, known_to_stay };
   std::vector<std::uint8_t> shell_is(positions_.size(), not_there);
-  for (std::uint32_t s = 0; s < bounds_.size(); ++s)
-    for (std::uint32_t t = triangles_.first_triangle[s]; t < triangles_.first_triangle[s + 1];
-         ++t) {
-      if (is_gone(t)) continue;
-      std::uint8_t& shell = shell_is[shells.first(corners(t)[0])];
-      if (shell != known_to_stay)
-        shell = slot_stays[s] != 0 || (!is_unsettled(t) && stays(box(t))) ? known_to_stay : unknown;
-    }
+  for (std::uint32_t t = 0; t < size(); ++t) {
+    if (is_gone(t)) continue;
+    std::uint8_t& shell = shell_is[shells.first(corners(t)[0])];
+    if (shell != known_to_stay) shell = stays(t) ? known_to_stay : unknown;
+  }
   return std::find(shell_is.begin(), shell_is.end(), unknown) == shell_is.end();
 }
 

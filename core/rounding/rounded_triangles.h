@@ -78,9 +78,12 @@ class RoundedTriangles {
   /// were. `gone_to`: per vertex of the part, the one to which it was joined, or itself.
   Triangles take_back(const MeshPart& part, const std::vector<std::uint32_t>& gone_to);
 
-  /// Has each shell a triangle that stayed, and that nothing has moved past? Then what lies on both
-  /// its sides is what it was, as on all of a shell that no other crosses: no shell was turned
-  /// inside out, or came to lie in another one.
+  /// Before anything is changed: all others meet each other in common corners only, and did so all
+  /// the way on which rounding moved them; so do all and those that were looked at.
+  void note_unclear(const Triangles& unclear, const Triangles& not_looked_at);
+  /// Has each shell a triangle that nothing has moved past, neither by rounding nor by changes?
+  /// Then what lies on both its sides is what it was, as on all of a shell that no other crosses:
+  /// no shell was turned inside out, or came to lie in another one.
   bool shells_stay() const;
 
   /// The mesh, of which nothing is left then.
@@ -93,7 +96,7 @@ class RoundedTriangles {
   void round(std::uint32_t slot, const Block& block, const RoundingGrid& grid,
              std::vector<Moved>& moved);
   void note_what_moved(const std::vector<std::vector<Moved>>& moved);
-  void note_swept();
+  Box swept_box(std::uint32_t t) const;
   void note_moved(std::uint32_t vertex, const Vec3& from, bool was_exact);
   void drop_what_is_gone();
   bool is_gone(std::uint32_t t) const { return !is_gone_.empty() && is_gone_[t] != 0; }
@@ -117,7 +120,8 @@ class RoundedTriangles {
   std::vector<std::uint8_t> is_changed_;  // per triangle; empty: none is
   std::vector<std::uint8_t> is_gone_;     // per triangle; empty: none is
   std::vector<std::uint32_t> gone_to_;    // per vertex: to which it was joined, or none; if any was
-  std::vector<Box> swept_;                // of what triangles passed through
+  std::vector<std::uint8_t> is_unclear_;  // per triangle; empty: none is
+  std::vector<Box> swept_;                // of what triangles may have passed through
   std::vector<Box> bounds_;               // per slot
   std::vector<std::uint8_t> has_unsettled_;  // per slot: may it have some?
 };

@@ -1,64 +1,82 @@
 #include "rounding/unclear_triangles.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "parallel/parallel.h"
 #include "parallel/scratch.h"
 #include "rounding/clear_pairs.h"
 #include "search/box_index.h"
+#include "search/curve_order.h"
 
 namespace sectile {
 namespace {
 
 // Of very many triangles, as around hubs, in faces of many corners and where all is long and thin,
-// boxes overlap. The exact test has its own ways then: it gets what meets more than these. And it
-// is faster where most triangles moved.
+// boxes overlap. The exact test has its own ways then: it gets what meets more than these.
 constexpr int most_pairs = 1024;
 
-class UnclearTriangles {
+class Finder {
   using Triangles = RoundedTriangles::Triangles;
 
  public:
-  UnclearTriangles(const RoundedTriangles& mesh, const RoundingSteps& steps)
+  Finder(const RoundedTriangles& mesh, const RoundingSteps& steps)
       : mesh_(mesh), steps_(steps), slack_(mesh.farthest_move()) {}
 
-  Triangles run() {
-    const Triangles unsettled = mesh_.unsettled();
-    if (2 * unsettled.size() > mesh_.size()) return united(unsettled, flat_cut_ones());
-    look_at(unsettled);
+  UnclearTriangles run() {
+    look_at(mesh_.unsettled());
     if (!moved_.empty()) {
       meet_each_other();
       meet_others();
     }
-    unclear_.for_each(
-        [&](const Triangles& some) { result_.insert(result_.end(), some.begin(), some.end()); });
-    return united(std::move(result_), flat_cut_ones());
+    found_.for_each([&](const UnclearTriangles& some) {
+      result_.all.insert(result_.all.end(), some.all.begin(), some.all.end());
+      give_up(some.not_looked_at);
+    });
+    sort(result_.all);
+    sort(result_.not_looked_at);
+    return std::move(result_);
   }
 
  private:
-  // Those without area are unclear.
+  // Those without area are unclear, also among those that did not move.
   void look_at(const Triangles& unsettled) {
+    std::vector<ViewedTriangle> viewed(unsettled.size());
+    parallel::loop(tbb::blocked_range<std::size_t>(0, viewed.size(), 1024), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+        viewed[i] = ViewedTriangle(placed(unsettled[i]), slack_);
+    });
+    std::vector<std::uint32_t> clear;
     std::vector<Box> boxes;
-    for (const std::uint32_t t : unsettled) {
-      const ViewedTriangle triangle(placed(t), slack_);
-      if (!triangle.view.clear()) {
-        result_.push_back(t);
+    for (std::uint32_t i = 0; i < viewed.size(); ++i) {
+      if (!viewed[i].view.clear()) {
+        give_up({unsettled[i]});
         continue;
       }
-      moved_.push_back(triangle);
-      number_.push_back(t);
-      boxes.push_back(box_of(triangle.placed, 2 * slack_));
+      clear.push_back(i);
+      boxes.push_back(box_of(viewed[i].placed, 2 * slack_));
     }
-    index_ = BoxIndex(boxes);
+    for (const std::uint32_t t : mesh_.cut())
+      if (!mesh_.is_unsettled(t) && !ViewedTriangle(placed(t), 0).view.clear()) give_up({t});
+    const std::vector<std::uint32_t> order = order_along_curve(boxes);
+    std::vector<Box> ordered;
+    for (const std::uint32_t i : order) {
+      moved_.push_back(viewed[clear[i]]);
+      number_.push_back(unsettled[clear[i]]);
+      ordered.push_back(boxes[i]);
+    }
+    index_ = BoxIndex(ordered, true);
+  }
+  void give_up(const Triangles& triangles) {
+    for (Triangles* all : {&result_.all, &result_.not_looked_at})
+      all->insert(all->end(), triangles.begin(), triangles.end());
   }
 
   void meet_each_other() {
     parallel::loop(tbb::blocked_range<std::size_t>(0, moved_.size(), 64), [&](const auto& range) {
       steps_.check();
-      unclear_.lend([&](Triangles& unclear) {
+      found_.lend([&](UnclearTriangles& found) {
         for (std::size_t j = range.begin(); j < range.end(); ++j)
-          meet_moved(number_[j], moved_[j].placed, static_cast<std::uint32_t>(j), unclear);
+          meet_moved(number_[j], moved_[j], static_cast<std::uint32_t>(j), found);
       });
     });
   }
@@ -72,47 +90,35 @@ class UnclearTriangles {
 
   // Those of the slot that did not move against those that did.
   void meet_slot(std::size_t s) {
-    unclear_.lend([&](Triangles& unclear) {
+    found_.lend([&](UnclearTriangles& found) {
       const auto [first, end] = mesh_.triangles(s);
-      for (std::uint32_t t = first; t < end; ++t)
-        if (!mesh_.is_unsettled(t))
-          meet_moved(t, placed(t), static_cast<std::uint32_t>(moved_.size()), unclear);
+      for (std::uint32_t t = first; t < end; ++t) {
+        if (mesh_.is_unsettled(t)) continue;
+        const PlacedTriangle at = placed(t);
+        if (index_.any_overlaps(box_of(at, 0)))
+          meet_moved(t, ViewedTriangle(at, slack_), static_cast<std::uint32_t>(moved_.size()),
+                     found);
+      }
     });
   }
 
   // The first ones of those that moved against another triangle.
-  void meet_moved(std::uint32_t t, const PlacedTriangle& at, std::uint32_t end,
-                  Triangles& unclear) const {
-    std::optional<ViewedTriangle> viewed;
-    const auto triangle = [&]() -> const ViewedTriangle& {
-      return viewed ? *viewed : viewed.emplace(at, slack_);
-    };
+  void meet_moved(std::uint32_t t, const ViewedTriangle& triangle, std::uint32_t first,
+                  UnclearTriangles& found) const {
     int pairs = 0;
-    const bool few = index_.overlapping(box_of(at, 0), [&](std::uint32_t i) {
-      if (i >= end) return true;
+    const bool few = index_.overlapping(box_of(triangle.placed, 0), first, [&](std::uint32_t i) {
       if (++pairs > most_pairs) return false;
-      if (clearly_meet_in_corners(moved_[i], triangle(), slack_)) return true;
-      unclear.push_back(number_[i]);
-      unclear.push_back(t);
+      if (clearly_meet_in_corners(moved_[i], triangle, slack_)) return true;
+      found.all.push_back(number_[i]);
+      found.all.push_back(t);
       return true;
     });
-    if (!few) unclear.push_back(t);
+    if (!few) found.not_looked_at.push_back(t);
   }
 
-  // Of those that did not move, which may have no area.
-  Triangles flat_cut_ones() const {
-    Triangles flat;
-    for (const std::uint32_t t : mesh_.cut())
-      if (!mesh_.is_unsettled(t) && !ViewedTriangle(placed(t), 0).view.clear()) flat.push_back(t);
-    return flat;
-  }
-
-  // Ascending.
-  static Triangles united(Triangles a, const Triangles& b) {
-    a.insert(a.end(), b.begin(), b.end());
-    std::sort(a.begin(), a.end());
-    a.erase(std::unique(a.begin(), a.end()), a.end());
-    return a;
+  static void sort(Triangles& triangles) {
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   }
 
   PlacedTriangle placed(std::uint32_t t) const {
@@ -134,15 +140,14 @@ class UnclearTriangles {
   std::vector<ViewedTriangle> moved_;  // those that are looked at here
   std::vector<std::uint32_t> number_;  // of each
   BoxIndex index_;                     // of them
-  parallel::Scratch<Triangles> unclear_;
-  Triangles result_;
+  parallel::Scratch<UnclearTriangles> found_;
+  UnclearTriangles result_;
 };
 
 }  // namespace
 
-RoundedTriangles::Triangles unclear_triangles(const RoundedTriangles& mesh,
-                                              const RoundingSteps& steps) {
-  return UnclearTriangles(mesh, steps).run();
+UnclearTriangles unclear_triangles(const RoundedTriangles& mesh, const RoundingSteps& steps) {
+  return Finder(mesh, steps).run();
 }
 
 }  // namespace sectile

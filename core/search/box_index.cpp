@@ -1,15 +1,18 @@
 #include "search/box_index.h"
 
+#include <numeric>
+
 #include "search/curve_order.h"
 
 namespace sectile {
 
-BoxIndex::BoxIndex(const std::vector<Box>& boxes) {
+BoxIndex::BoxIndex(const std::vector<Box>& boxes, bool along_curve) {
   if (boxes.empty()) return;
-  Box all;
-  for (const Box& box : boxes) all.add(box);
-  items_ = numbers_of(
-      keys_along_curve(boxes.size(), all, [&](std::size_t i) -> const Box& { return boxes[i]; }));
+  items_.resize(boxes.size());
+  if (along_curve)
+    std::iota(items_.begin(), items_.end(), 0u);
+  else
+    items_ = order_along_curve(boxes);
   std::vector<FourBoxes>& lowest = levels_.emplace_back((boxes.size() + 3) / 4);
   for (std::size_t i = 0; i < items_.size(); ++i) lowest[i / 4].set(i % 4u, boxes[items_[i]]);
   while (levels_.back().size() > 1) {

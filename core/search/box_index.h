@@ -14,12 +14,18 @@ namespace sectile {
 class BoxIndex {
  public:
   BoxIndex() = default;
-  /// Items are 0 … boxes.size() - 1.
-  explicit BoxIndex(const std::vector<Box>& boxes);
+  /// Items are 0 … boxes.size() - 1. Those that are `along_curve` stay in the order in which they
+  /// are.
+  explicit BoxIndex(const std::vector<Box>& boxes, bool along_curve = false);
 
   /// Calls visit(item) for all whose boxes overlap this one, until it returns false. Did it never?
   template <class Visit>
-  bool overlapping(const Box& box, const Visit& visit) const;
+  bool overlapping(const Box& box, const Visit& visit) const {
+    return overlapping(box, static_cast<std::uint32_t>(items_.size()), visit);
+  }
+  /// The same of the first items, in their order along the curve.
+  template <class Visit>
+  bool overlapping(const Box& box, std::uint32_t first, const Visit& visit) const;
 
   bool any_overlaps(const Box& box) const {
     return !overlapping(box, [](std::uint32_t) { return false; });
@@ -36,8 +42,8 @@ class BoxIndex {
 };
 
 template <class Visit>
-bool BoxIndex::overlapping(const Box& box, const Visit& visit) const {
-  if (items_.empty()) return true;
+bool BoxIndex::overlapping(const Box& box, std::uint32_t first, const Visit& visit) const {
+  if (first == 0) return true;
   std::array<std::uint64_t, 64> open;  // three nodes of each of sixteen levels at most
   std::size_t count = 0;
   open[count++] = node(levels_.size() - 1, 0);
@@ -46,6 +52,7 @@ bool BoxIndex::overlapping(const Box& box, const Visit& visit) const {
     const auto index = static_cast<std::uint32_t>(next);
     for (unsigned hit = levels_[level][index].overlapping(box); hit != 0; hit &= hit - 1) {
       const std::uint32_t below = 4 * index + static_cast<std::uint32_t>(std::countr_zero(hit));
+      if (std::uint64_t(below) << (2 * level) >= first) break;  // as are those after it
       if (level > 0)
         open[count++] = node(level - 1, below);
       else if (!visit(items_[below]))

@@ -37,4 +37,11 @@ inline std::vector<std::uint32_t> numbers_of(const std::vector<std::uint64_t>& k
   return order;
 }
 
+inline std::vector<std::uint32_t> order_along_curve(const std::vector<Box>& boxes) {
+  Box all;
+  for (const Box& box : boxes) all.add(box);
+  return numbers_of(
+      keys_along_curve(boxes.size(), all, [&](std::size_t i) -> const Box& { return boxes[i]; }));
+}
+
 }  // namespace sectile

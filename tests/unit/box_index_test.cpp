@@ -64,6 +64,23 @@ TEST(BoxIndex, StopsWhenItIsTold) {
   EXPECT_EQ(visited, 5);
 }
 
+TEST(BoxIndex, FindsOnlyTheFirstItems) {
+  const std::vector<Box> boxes = random_boxes(77, 4, 11);
+  const BoxIndex index(boxes, true);
+  for (std::uint32_t first = 0; first <= boxes.size(); ++first)
+    for (const Box& box : random_boxes(10, 3, 12)) {
+      std::vector<std::uint32_t> expected, found;
+      for (std::uint32_t i = 0; i < first; ++i)
+        if (boxes[i].overlaps(box)) expected.push_back(i);
+      index.overlapping(box, first, [&](std::uint32_t i) {
+        found.push_back(i);
+        return true;
+      });
+      std::sort(found.begin(), found.end());
+      EXPECT_EQ(found, expected);
+    }
+}
+
 TEST(BoxIndex, OfNothingFindsNothing) {
   EXPECT_FALSE(BoxIndex().any_overlaps(Box::everything()));
   EXPECT_FALSE(BoxIndex(std::vector<Box>()).any_overlaps(Box::everything()));
