@@ -67,6 +67,22 @@ TEST(Threads, OneImportOverManyThreads) {
       [&] { EXPECT_EQ(Solid::from_mesh(mesh).to_mesh().indices.size(), mesh.indices.size()); });
 }
 
+// In doubles only what was cut has moved, in floats everything.
+TEST(Threads, OneExportOverManyThreads) {
+  const Solid a = sphere(1, 80, 40), b = moved_by(a, 0.3, 0.2, 0.1);
+  const Solid both = boolean(a, b, Operation::unite);
+  for (const auto numbers : {Rounding::Numbers::doubles, Rounding::Numbers::floats}) {
+    Rounding rounding;
+    rounding.numbers = numbers;
+    RoundedMesh one, many;
+    tbb::task_arena(1).execute([&] { one = rounded_mesh(both, rounding); });
+    tbb::task_arena(8).execute([&] { many = rounded_mesh(both, rounding); });
+    EXPECT_EQ(one.mesh.positions, many.mesh.positions);
+    EXPECT_EQ(one.mesh.indices, many.mesh.indices);
+    EXPECT_EQ(one.report.moved, many.report.moved);
+  }
+}
+
 // Its blocks are triangles until a thread asks for more.
 TEST(Threads, OneFreshImportAndItsImage) {
   const PolygonMesh mesh = sphere(1, 80, 40).to_mesh();
