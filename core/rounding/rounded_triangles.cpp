@@ -312,21 +312,36 @@ bool RoundedTriangles::shells_stay() const {
       if (stays(t)) return true;
     return false;
   }
-  DisjointSets shells(positions_.size());
+  // Vertices that others were joined to may be of several shells. Without them there may be more
+  // pieces than shells, each of which needs such a triangle then.
+  const std::vector<std::uint8_t> joined = joined_vertices();
+  const auto first_own = [&](const Corners& c) {
+    return joined[c[0]] == 0 ? c[0] : joined[c[1]] == 0 ? c[1] : c[2];
+  };
+  DisjointSets pieces(positions_.size());
   for (std::uint32_t t = 0; t < size(); ++t) {
     if (is_gone(t)) continue;
     const Corners c = corners(t);
-    shells.unite(c[0], c[1]);
-    shells.unite(c[0], c[2]);
+    for (const std::uint32_t v : c)
+      if (joined[v] == 0) pieces.unite(first_own(c), v);
   }
   enum : std::uint8_t { not_there, unknown, known_to_stay };
-  std::vector<std::uint8_t> shell_is(positions_.size(), not_there);
+  std::vector<std::uint8_t> piece_is(positions_.size(), not_there);
   for (std::uint32_t t = 0; t < size(); ++t) {
     if (is_gone(t)) continue;
-    std::uint8_t& shell = shell_is[shells.first(corners(t)[0])];
-    if (shell != known_to_stay) shell = stays(t) ? known_to_stay : unknown;
+    const std::uint32_t own = first_own(corners(t));
+    if (joined[own] != 0) return false;  // all of its corners are
+    std::uint8_t& piece = piece_is[pieces.first(own)];
+    if (piece != known_to_stay) piece = stays(t) ? known_to_stay : unknown;
   }
-  return std::find(shell_is.begin(), shell_is.end(), unknown) == shell_is.end();
+  return std::find(piece_is.begin(), piece_is.end(), unknown) == piece_is.end();
+}
+
+std::vector<std::uint8_t> RoundedTriangles::joined_vertices() const {
+  std::vector<std::uint8_t> joined(positions_.size(), 0);
+  for (const std::uint32_t into : gone_to_)
+    if (into != none) joined[into] = 1;
+  return joined;
 }
 
 void RoundedTriangles::note_moved(std::uint32_t vertex, const Vec3& from, bool was_exact) {

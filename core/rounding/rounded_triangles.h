@@ -97,6 +97,7 @@ class RoundedTriangles {
              std::vector<Moved>& moved);
   void note_what_moved(const std::vector<std::vector<Moved>>& moved);
   Box swept_box(std::uint32_t t) const;
+  std::vector<std::uint8_t> joined_vertices() const;
   void note_moved(std::uint32_t vertex, const Vec3& from, bool was_exact);
   void drop_what_is_gone();
   bool is_gone(std::uint32_t t) const { return !is_gone_.empty() && is_gone_[t] != 0; }

@@ -37,6 +37,7 @@ inline std::vector<std::uint32_t> numbers_of(const std::vector<std::uint64_t>& k
   return order;
 }
 
+/// The numbers of boxes in the order of the curve through all of them.
 inline std::vector<std::uint32_t> order_along_curve(const std::vector<Box>& boxes) {
   Box all;
   for (const Box& box : boxes) all.add(box);

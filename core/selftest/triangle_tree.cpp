@@ -27,10 +27,7 @@ void sort_along_curve(std::vector<std::uint32_t>& triangles, const TriangleSurfa
   std::vector<Box> boxes(triangles.size());
   for_range(boxes.size(),
             [&](std::size_t i) { boxes[i] = triangle_box(surface, geometry, triangles[i]); });
-  Box all;
-  for (const Box& b : boxes) all.add(b);
-  const std::vector<std::uint32_t> order =
-      numbers_of(keys_along_curve(boxes.size(), all, [&](std::size_t i) { return boxes[i]; }));
+  const std::vector<std::uint32_t> order = order_along_curve(boxes);
   for_range(order.size(),
             [&, given = triangles](std::size_t i) { triangles[i] = given[order[i]]; });
 }

@@ -459,8 +459,8 @@ TEST(Rounding, ShellsOfOneSolid) {
   }
 }
 
-// The tip of the small one comes to lie below its base. Of the other one nothing moves.
-TEST(Rounding, ASmallShellThatTheGridTurnsInsideOut) {
+// The tip of the small one, `away` from the comb, comes to lie below its base.
+Solid comb_and_small_shell(double away) {
   Profile teeth;
   for (int i = 0; i < 32; ++i) {
     teeth.outer.push_back({2.0 * i, 1.0});
@@ -470,11 +470,26 @@ TEST(Rounding, ASmallShellThatTheGridTurnsInsideOut) {
   teeth.outer.push_back({0, 0});
   std::reverse(teeth.outer.begin(), teeth.outer.end());
   const Solid comb = extrude(teeth, 2);
+  const double x = 64 + away;
   PolygonMesh small;
-  small.positions = {{100, 0, 0.49}, {104, 0, 1.51}, {100, 4, 0.49}, {103, 0.25, 1.3}};
+  small.positions = {{x, 0, 0.49}, {x + 4, 0, 1.51}, {x, 4, 0.49}, {x + 3, 0.25, 1.3}};
   small.indices = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
   small.face_sizes = {3, 3, 3, 3};
-  const Solid both = boolean(comb, Solid::from_mesh(small), Operation::unite);
+  return boolean(comb, Solid::from_mesh(small), Operation::unite);
+}
+
+// Of the other one nothing moves.
+TEST(Rounding, ASmallShellThatTheGridTurnsInsideOut) {
+  const Solid both = comb_and_small_shell(36);
+  ASSERT_EQ(both.counts().shells, 2u);
+  const RoundedMesh rounded = rounded_mesh(both, to(Numbers::grid, 1));
+  EXPECT_EQ(ExactMeshChecker(rounded.mesh).verdict(), "");
+  EXPECT_EQ(rounded.report.resolved, 1u);
+}
+
+// A corner of it comes to be one of the other, of which nothing moves.
+TEST(Rounding, ASmallShellThatTheGridTurnsInsideOutAndPutsOnAnother) {
+  const Solid both = comb_and_small_shell(0.25);
   ASSERT_EQ(both.counts().shells, 2u);
   const RoundedMesh rounded = rounded_mesh(both, to(Numbers::grid, 1));
   EXPECT_EQ(ExactMeshChecker(rounded.mesh).verdict(), "");
