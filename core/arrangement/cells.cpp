@@ -49,7 +49,7 @@ class EdgeFinder {
   void find_faces() {
     const Polygons& polygons = faces_.polygons;
     cells_.face_of.resize(polygons.corners.size());
-    parallel::loop(tbb::blocked_range<std::size_t>(0, faces_.size(), 4096), [&](const auto& range) {
+    parallel::loop(parallel::Range<std::size_t>(0, faces_.size(), 4096), [&](const auto& range) {
       for (std::size_t f = range.begin(); f < range.end(); ++f) {
         const std::uint32_t begin = polygons.loop_begin(polygons.first_loop(f)),
                             end = polygons.loop_end[polygons.face_end[f] - 1];

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "parallel/parallel.h"
+#include "parallel/sort.h"
 #include "sectile/errors.h"
 
 namespace sectile::arrangement {
@@ -88,7 +89,7 @@ EdgeLines::EdgeLines(const Facets& facets, const std::vector<std::uint8_t>& want
     const std::size_t end = i + 1 < first.size() ? first[i + 1] : uses.size();
     return std::span(uses).subspan(first[i], end - first[i]);
   };
-  parallel::loop(tbb::blocked_range<std::size_t>(0, first.size(), 256), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, first.size(), 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       lines_[i] = find(uses_on(i));
       for (const Use& use : uses_on(i)) line_of_[use.corner] = static_cast<std::uint32_t>(i);
@@ -101,7 +102,7 @@ EdgeLines::EdgeLines(const Facets& facets, const std::vector<std::uint8_t>& want
         PlaneDefinition::along_axis(line.from, line.to, kernel.main_axis(line.a)));
   }
   kernel.refresh();
-  parallel::loop(tbb::blocked_range<std::size_t>(0, uses.size(), 256), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, uses.size(), 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const std::uint32_t corner = uses[i].corner;
       const EdgeLine& l = line(corner);

@@ -20,7 +20,7 @@ HubFans fans_of(const Facets& facets, const Kernel& kernel) {
 
 std::vector<Box> boxes_of(const Facets& facets, const Geometry& geometry) {
   std::vector<Box> boxes(facets.face_count());
-  parallel::loop(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
     for (std::size_t f = range.begin(); f < range.end(); ++f) {
       Bounds bounds;
       for_each_outer_corner(facets, static_cast<std::uint32_t>(f),

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "parallel/parallel.h"
+#include "parallel/sort.h"
 #include "storage/geometry_loader.h"
 
 namespace sectile::arrangement {
@@ -12,7 +13,7 @@ void Facets::link() {
   const std::size_t count = polygons.corners.size();
   face_of.resize(count);
   next.resize(count);
-  parallel::loop(tbb::blocked_range<std::size_t>(0, face_count(), 4096), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, face_count(), 4096), [&](const auto& range) {
     for (std::size_t f = range.begin(); f < range.end(); ++f)
       for (std::uint32_t l = polygons.first_loop(f); l < polygons.face_end[f]; ++l) {
         const std::uint32_t first = polygons.loop_begin(l), last = polygons.loop_end[l] - 1;
@@ -47,7 +48,7 @@ void unite_places(const Kernel& kernel, std::vector<PointId> points, std::vector
       ++to;
     if (to - from > 1) groups.push_back(std::span(points).subspan(from, to - from));
   }
-  parallel::loop(tbb::blocked_range<std::size_t>(0, groups.size(), 16), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, groups.size(), 16), [&](const auto& range) {
     std::vector<PointId> places;
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       places.clear();

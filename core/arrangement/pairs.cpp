@@ -6,6 +6,7 @@
 
 #include "boolean/collect.h"
 #include "parallel/parallel.h"
+#include "parallel/sort.h"
 #include "search/needles.h"
 #include "search/oriented_tree.h"
 
@@ -227,7 +228,7 @@ std::vector<std::uint8_t> find_convex(const Facets& facets, const Kernel& kernel
     }
     return false;
   };
-  parallel::loop(tbb::blocked_range<std::size_t>(0, convex.size(), 1024), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, convex.size(), 1024), [&](const auto& range) {
     for (std::size_t f = range.begin(); f < range.end(); ++f) {
       if (facets.polygons.is_triangle(f)) continue;
       convex[f] =

@@ -60,7 +60,7 @@ std::vector<std::uint8_t> find_self_touching(const Facets& facets,
                                              const std::vector<std::uint8_t>& convex,
                                              const Kernel& kernel) {
   std::vector<std::uint8_t> touching(facets.face_count(), 0);
-  parallel::loop(tbb::blocked_range<std::size_t>(0, touching.size(), 256), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, touching.size(), 256), [&](const auto& range) {
     for (std::size_t f = range.begin(); f < range.end(); ++f)
       if (!convex[f])
         touching[f] = TouchTest(facets, static_cast<std::uint32_t>(f), kernel).touches();

@@ -140,7 +140,7 @@ class Builder {
     std::uint32_t edge = 0;
     for (std::uint32_t c = 0; c < mate_.size(); ++c)
       if (c < mate_[c]) corner_of[edge++] = c;
-    parallel::loop(tbb::blocked_range<std::size_t>(0, flat.size(), 2048), [&](const auto& range) {
+    parallel::loop(parallel::Range<std::size_t>(0, flat.size(), 2048), [&](const auto& range) {
       for (std::size_t e = range.begin(); e < range.end(); ++e) {
         const std::uint32_t c = corner_of[e];
         flat[e] = kernel_.parallel(faces_.plane[face(c)], faces_.plane[face(mate_[c])]);

@@ -181,7 +181,7 @@ PairPoints collect_points(std::vector<Contacts>& found, std::size_t pairs, Geome
 std::vector<PointId> add_points(const std::vector<Construction>& constructions, Geometry& geometry,
                                 Kernel& kernel) {
   std::vector<ConstructedPoint> points(constructions.size());
-  parallel::loop(tbb::blocked_range<std::size_t>(0, points.size(), 64), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, points.size(), 64), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i)
       points[i] = kernel.construct(constructions[i]);
   });

@@ -5,6 +5,7 @@
 
 #include "geometry/kernel.h"
 #include "parallel/parallel.h"
+#include "parallel/sort.h"
 #include "sectile/errors.h"
 #include "storage/geometry_loader.h"
 

@@ -72,7 +72,7 @@ void Kernel::refresh() {
   if (count - known < 4096) {
     fill(known, count);
   } else {
-    parallel::loop(tbb::blocked_range<std::size_t>(known, count, 4096),
+    parallel::loop(parallel::Range<std::size_t>(known, count, 4096),
                    [&](const auto& range) { fill(range.begin(), range.end()); });
   }
   grow(bounded_planes_, count);

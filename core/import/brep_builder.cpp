@@ -38,7 +38,7 @@ class BrepBuilder {
     brep_.loop_half_edge.resize(loops);
     brep_.loop_face.resize(loops);
     brep_.next_loop.resize(loops);
-    parallel::loop(tbb::blocked_range<std::size_t>(0, faces, 1024), [&](const auto& range) {
+    parallel::loop(parallel::Range<std::size_t>(0, faces, 1024), [&](const auto& range) {
       for (std::size_t f = range.begin(); f < range.end(); ++f) add_face(FaceId(f));
     });
   }

@@ -62,11 +62,10 @@ class PlaneFinder {
   void run() {
     add_planes();
     kernel_.refresh();
-    parallel::loop(tbb::blocked_range<std::size_t>(0, shapes_.size(), 1024),
-                   [&](const auto& range) {
-                     for (std::size_t f = range.begin(); f < range.end(); ++f)
-                       if (!polygons_.is_triangle(f)) shapes_[f] = shape(f);
-                   });
+    parallel::loop(parallel::Range<std::size_t>(0, shapes_.size(), 1024), [&](const auto& range) {
+      for (std::size_t f = range.begin(); f < range.end(); ++f)
+        if (!polygons_.is_triangle(f)) shapes_[f] = shape(f);
+    });
     const auto is_whole = [](Shape shape) { return shape == Shape::whole; };
     if (std::all_of(shapes_.begin(), shapes_.end(), is_whole)) return;
     refuse_wrong_ones();
@@ -80,7 +79,7 @@ class PlaneFinder {
   void add_planes() {
     const std::size_t count = polygons_.face_count();
     geometry_.planes.resize(count);
-    parallel::loop(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
+    parallel::loop(parallel::Range<std::size_t>(0, count, 1024), [&](const auto& range) {
       for (std::size_t f = range.begin(); f < range.end(); ++f) {
         const auto loop = polygons_.loop(polygons_.first_loop(f));
         const auto [a, b, c] =

@@ -60,7 +60,7 @@ bool has_flat_corner(const Kernel& kernel, std::span<const PointId> loop) {
 // Faces with flat corners, one flag for each face; empty if there are none.
 std::vector<std::uint8_t> find_flat_corners(const Polygons& polygons, const Kernel& kernel) {
   std::vector<std::uint8_t> flat(polygons.face_count(), 0);
-  parallel::loop(tbb::blocked_range<std::size_t>(0, flat.size(), 1024), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, flat.size(), 1024), [&](const auto& range) {
     for (std::size_t f = range.begin(); f < range.end(); ++f)
       for (std::uint32_t l = polygons.first_loop(f); l < polygons.face_end[f]; ++l)
         if (has_flat_corner(kernel, polygons.loop(l))) flat[f] = 1;

@@ -41,7 +41,7 @@ bool lies_flat(const Brep& brep, const Kernel& kernel, HalfEdgeId h) {
 
 void pin_flat_edges(Brep& brep, Geometry& geometry, const Kernel& kernel) {
   std::vector<std::uint8_t> flat(brep.edge_count(), 0);
-  parallel::loop(tbb::blocked_range<std::size_t>(0, flat.size(), 2048), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, flat.size(), 2048), [&](const auto& range) {
     for (std::size_t e = range.begin(); e < range.end(); ++e) {
       const HalfEdgeId h = Brep::half_edge(EdgeId(e));
       flat[e] = lies_flat(brep, kernel, h);

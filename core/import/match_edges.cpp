@@ -29,7 +29,7 @@ class Matcher {
   void pair_plain() {
     using Lines = std::vector<Line>;
     parallel::Scratch<Lines> odd;
-    parallel::loop(tbb::blocked_range<std::uint32_t>(0, buckets_.count(), 1024),
+    parallel::loop(parallel::Range<std::uint32_t>(0, buckets_.count(), 1024),
                    [&](const auto& range) {
                      odd.lend([&](Lines& lines) {
                        for (std::uint32_t p = range.begin(); p < range.end(); ++p)

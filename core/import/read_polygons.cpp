@@ -46,7 +46,7 @@ bool is_finite(const Vec3& p) {
 template <class Wrong>
 std::size_t first_wrong(std::size_t end, const Wrong& wrong) {
   return parallel::reduce(
-      tbb::blocked_range<std::size_t>(0, end, 16384), end,
+      parallel::Range<std::size_t>(0, end, 16384), end,
       [&](const auto& range, std::size_t known) {
         for (std::size_t i = range.begin(); i < range.end() && i < known; ++i)
           if (wrong(i)) return i;

@@ -21,7 +21,7 @@ std::uint32_t hash_of(const Vec3& p) {
 
 template <class Body>
 void for_each(std::size_t count, const Body& body) {
-  parallel::loop(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(count), 4096),
+  parallel::loop(parallel::Range<std::uint32_t>(0, static_cast<std::uint32_t>(count), 4096),
                  [&](const auto& range) {
                    for (std::uint32_t i = range.begin(); i < range.end(); ++i) body(i);
                  });

@@ -4,44 +4,69 @@
 // returns at once, without a word and with half of its work undone. Whoever calls the library from
 // a parallel loop of his own, in which anything may throw, must not get half a solid by that. So
 // these loops are groups of their own: only what is thrown in them ends them early.
+//
+// Bodies are called through a pointer, once for each part of a loop: what runs the parts is
+// compiled in one place, and not once more for each loop.
 #pragma once
 
-#ifdef __SANITIZE_THREAD__
-#include "parallel/watched.h"
-#else
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-#include <tbb/parallel_sort.h>
-#include <tbb/task_arena.h>
-#include <tbb/task_group.h>
-
-#include <algorithm>
 #include <cstddef>
-#include <functional>
+#include <memory>
+#include <mutex>
+
+#include "parallel/range.h"
 
 namespace sectile::parallel {
 
-/// Calls body(range) for parts of a range.
-template <class Range, class Body>
-void loop(const Range& range, const Body& body) {
-  tbb::task_group_context own(tbb::task_group_context::isolated);
-  tbb::parallel_for(range, body, own);
+/// Work that is there as long as the call to which it is given takes.
+template <class... Arguments>
+class Work {
+ public:
+  template <class Body>
+  explicit Work(const Body& body)
+      : body_(std::addressof(body)), call_([](const void* of, Arguments... arguments) {
+          (*static_cast<const Body*>(of))(arguments...);
+        }) {}
+  void operator()(Arguments... arguments) const { call_(body_, arguments...); }
+
+ private:
+  const void* body_;
+  void (*call_)(const void*, Arguments...);
+};
+
+/// Calls work(begin, end) for parts of what is from `first` up to, but without, `last`.
+void run_parts(std::size_t first, std::size_t last, std::size_t grain,
+               Work<std::size_t, std::size_t> work);
+void run_isolated(Work<> work);
+
+/// Calls body(part) for parts of a range.
+template <class Number, class Body>
+void loop(const Range<Number>& range, const Body& body) {
+  if (range.empty()) return;
+  run_parts(range.begin(), range.end(), range.grain(),
+            Work<std::size_t, std::size_t>([&](std::size_t begin, std::size_t end) {
+              body(Range<Number>(static_cast<Number>(begin), static_cast<Number>(end)));
+            }));
 }
 
 /// Calls body(i) for all i from `first` up to, but without, `last`.
 template <class Body>
 void loop(std::size_t first, std::size_t last, const Body& body) {
-  tbb::task_group_context own(tbb::task_group_context::isolated);
-  tbb::parallel_for(first, last, body, own);
+  loop(Range<std::size_t>(first, last), [&](const Range<std::size_t>& part) {
+    for (std::size_t i = part.begin(); i < part.end(); ++i) body(i);
+  });
 }
 
-/// Joins body(range, start) of parts of a range, in any order.
-template <class Range, class Value, class Body, class Join>
-Value reduce(const Range& range, const Value& start, const Body& body, const Join& join) {
-  tbb::task_group_context own(tbb::task_group_context::isolated);
-  return tbb::parallel_reduce(range, start, body, join, own);
+/// Joins body(part, start) of parts of a range, in any order.
+template <class Number, class Value, class Body, class Join>
+Value reduce(const Range<Number>& range, const Value& start, const Body& body, const Join& join) {
+  Value joined = start;
+  std::mutex mutex;
+  loop(range, [&](const Range<Number>& part) {
+    const Value of_part = body(part, start);
+    const std::lock_guard lock(mutex);
+    joined = join(joined, of_part);
+  });
+  return joined;
 }
 
 /// Runs two pieces of work beside each other.
@@ -53,17 +78,7 @@ void invoke(const First& first, const Second& second) {
 /// Runs body(); who waits in it for parts of a loop takes no tasks of loops around it meanwhile.
 template <class Body>
 void isolate(const Body& body) {
-  tbb::this_task_arena::isolate(body);
-}
-
-template <class Iterator, class Less = std::less<>>
-void sort(Iterator begin, Iterator end, const Less& less = Less()) {
-  constexpr std::ptrdiff_t few = 500;  // as for TBB, which sorts these on one core
-  if (end - begin < few) return std::sort(begin, end, less);
-  tbb::task_group_context own(tbb::task_group_context::isolated);
-  tbb::task_group(own).run_and_wait([&] { tbb::parallel_sort(begin, end, less); });
+  run_isolated(Work<>(body));
 }
 
 }  // namespace sectile::parallel
-
-#endif

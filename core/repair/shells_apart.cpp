@@ -18,7 +18,7 @@ struct UntilNear : BoxTree::NothingApart {
 bool shells_are_apart(const Brep& brep, const Geometry& geometry, const Shells& shells) {
   if (shells.count == 1) return true;
   std::vector<Box> boxes(brep.face_count());
-  parallel::loop(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
     for (std::size_t f = range.begin(); f < range.end(); ++f)
       boxes[f] = face_box(brep, geometry, FaceId(f));
   });

@@ -54,7 +54,7 @@ Box LocalChanges::make_box(std::uint32_t triangle) const {
 
 void LocalChanges::build_tree() {
   box_.assign(rounded_.corners.size(), Box());
-  parallel::loop(tbb::blocked_range<std::size_t>(0, box_.size(), 4096), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, box_.size(), 4096), [&](const auto& range) {
     for (std::size_t t = range.begin(); t < range.end(); ++t)
       if (rounded_.alive[t] != 0) box_[t] = make_box(static_cast<std::uint32_t>(t));
   });

@@ -62,7 +62,7 @@ RoundedSurface::RoundedSurface(const SolidData& data, const RoundingGrid& grid,
   step(0.9);
   geometry.planes.resize(surface.size());
   surface.settled.resize(surface.size());
-  parallel::loop(tbb::blocked_range<std::size_t>(0, surface.size(), 4096), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, surface.size(), 4096), [&](const auto& range) {
     for (std::size_t t = range.begin(); t < range.end(); ++t) {
       source[t] = brep.source[FaceId(surface.face[t])];
       const auto& c = surface.corners[t];

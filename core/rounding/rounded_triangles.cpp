@@ -22,7 +22,7 @@ std::size_t next(std::size_t k) {
 
 template <class Body>
 void for_each(std::size_t count, const Body& body) {
-  parallel::loop(tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, count, 4096), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
   });
 }

@@ -50,7 +50,7 @@ double thickness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 void ignore_flat(RoundedSurface& rounded, const Kernel& kernel) {
   TriangleSurface& surface = rounded.surface;
   surface.ignored.resize(surface.size());
-  parallel::loop(tbb::blocked_range<std::size_t>(0, surface.size(), 4096), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, surface.size(), 4096), [&](const auto& range) {
     for (std::size_t t = range.begin(); t < range.end(); ++t) {
       const PlaneId plane = surface.plane[t];
       const bool flat = kernel.normal(plane, 0) == Sign::zero &&

@@ -41,7 +41,7 @@ class Finder {
   // Those without area are unclear, also among those that did not move.
   void look_at(const Triangles& unsettled) {
     std::vector<ViewedTriangle> viewed(unsettled.size());
-    parallel::loop(tbb::blocked_range<std::size_t>(0, viewed.size(), 1024), [&](const auto& range) {
+    parallel::loop(parallel::Range<std::size_t>(0, viewed.size(), 1024), [&](const auto& range) {
       for (std::size_t i = range.begin(); i < range.end(); ++i)
         viewed[i] = ViewedTriangle(placed(unsettled[i]), slack_);
     });
@@ -72,7 +72,7 @@ class Finder {
   }
 
   void meet_each_other() {
-    parallel::loop(tbb::blocked_range<std::size_t>(0, moved_.size(), 64), [&](const auto& range) {
+    parallel::loop(parallel::Range<std::size_t>(0, moved_.size(), 64), [&](const auto& range) {
       steps_.check();
       found_.lend([&](UnclearTriangles& found) {
         for (std::size_t j = range.begin(); j < range.end(); ++j)

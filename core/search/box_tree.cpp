@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "parallel/parallel.h"
+#include "parallel/sort.h"
 #include "search/hilbert.h"
 
 namespace sectile {
@@ -15,7 +16,7 @@ void for_range(std::size_t count, const Body& body) {
   if (count < parallel_from) {
     body(std::size_t(0), count);
   } else {
-    parallel::loop(tbb::blocked_range<std::size_t>(0, count, 2048),
+    parallel::loop(parallel::Range<std::size_t>(0, count, 2048),
                    [&](const auto& range) { body(range.begin(), range.end()); });
   }
 }

@@ -19,7 +19,7 @@ std::vector<std::uint64_t> keys_along_curve(std::size_t count, const Box& all,
                                             const PlaceOf& place_of) {
   const HilbertCurve curve(all);
   std::vector<std::uint64_t> keys(count);
-  parallel::loop(tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, count, 4096), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i)
       keys[i] = std::uint64_t(curve(place_of(i))) << 32 | i;
   });
@@ -30,7 +30,7 @@ std::vector<std::uint64_t> keys_along_curve(std::size_t count, const Box& all,
 /// The numbers 0 … count - 1 in the order of the curve.
 inline std::vector<std::uint32_t> numbers_of(const std::vector<std::uint64_t>& keys) {
   std::vector<std::uint32_t> order(keys.size());
-  parallel::loop(tbb::blocked_range<std::size_t>(0, keys.size(), 4096), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, keys.size(), 4096), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i)
       order[i] = static_cast<std::uint32_t>(keys[i]);
   });

@@ -25,7 +25,7 @@ std::vector<Box> face_boxes(const Brep& brep, const Geometry& geometry) {
   if (boxes.size() < 4096) {
     fill(0, boxes.size());
   } else {
-    parallel::loop(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048),
+    parallel::loop(parallel::Range<std::size_t>(0, boxes.size(), 2048),
                    [&](const auto& range) { fill(range.begin(), range.end()); });
   }
   return boxes;

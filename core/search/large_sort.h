@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "parallel/parallel.h"
+#include "parallel/sort.h"
 
 namespace sectile {
 

@@ -79,7 +79,7 @@ void FlatBlocks::note_sides(const TriangleSurface& surface, const TriangleTree& 
   place_.assign(surface.size(), NodeLabels::none);  // far from all, unless it is in the tree
   for (std::size_t level = 0; level < flat_.size(); ++level)
     sides_.emplace_back(tree.nodes(level), std::uint8_t(63));
-  parallel::loop(tbb::blocked_range<std::size_t>(0, sides_[0].size(), 256), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, sides_[0].size(), 256), [&](const auto& range) {
     for (std::size_t node = range.begin(); node < range.end(); ++node) {
       const auto [begin, end] = tree.range(0, node);
       for (std::uint32_t i = begin; i < end; ++i) {

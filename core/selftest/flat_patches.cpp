@@ -21,7 +21,7 @@ class FlatEdges {
   FlatEdges(const TriangleSurface& surface, const Kernel& kernel)
       : surface_(surface), kernel_(kernel), bits_(surface.size(), 0) {
     parallel::loop(
-        tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(surface.size()), 1024),
+        parallel::Range<std::uint32_t>(0, static_cast<std::uint32_t>(surface.size()), 1024),
         [&](const auto& range) {
           for (std::uint32_t t = range.begin(); t < range.end(); ++t) {
             if (!surface.flat.empty() && surface.flat[t] == 0) continue;

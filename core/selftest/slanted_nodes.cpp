@@ -43,7 +43,7 @@ SlantedNodes::SlantedNodes(const TriangleSurface& surface, const Geometry& geome
       nodes.push_back(node);
     }
     boxes_.emplace_back(nodes.size());
-    parallel::loop(tbb::blocked_range<std::size_t>(0, nodes.size(), 64), [&](const auto& range) {
+    parallel::loop(parallel::Range<std::size_t>(0, nodes.size(), 64), [&](const auto& range) {
       for (std::size_t i = range.begin(); i < range.end(); ++i)
         boxes_[level][i] = box_around(surface, geometry, level, nodes[i]);
     });
@@ -53,7 +53,7 @@ SlantedNodes::SlantedNodes(const TriangleSurface& surface, const Geometry& geome
 // Nodes of needles get any number, for now. A node above them is one if half of them are.
 void SlantedNodes::find_needles(const TriangleSurface& surface, const Geometry& geometry) {
   std::vector<std::uint32_t> found(tree_->nodes(0), none);
-  parallel::loop(tbb::blocked_range<std::size_t>(0, found.size(), 256), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, found.size(), 256), [&](const auto& range) {
     for (std::size_t node = range.begin(); node < range.end(); ++node) {
       Extent extent;
       const auto [begin, end] = tree_->range(0, node);

@@ -29,7 +29,7 @@ TriangleSurface surface_of_triangles(const Brep& brep) {
   surface.plane.resize(count);
   surface.face.resize(count);
   surface.mate.resize(count);
-  parallel::loop(tbb::blocked_range<std::size_t>(0, count, chunk), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, count, chunk), [&](const auto& range) {
     for (std::size_t f = range.begin(); f < range.end(); ++f) {
       HalfEdgeId h = brep.loop_half_edge[brep.outer_loop[FaceId(f)]];
       for (std::size_t k = 0; k < 3; ++k, h = brep.next_of(h)) {

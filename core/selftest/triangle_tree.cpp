@@ -11,7 +11,7 @@ namespace {
 
 template <class Body>
 void for_range(std::size_t count, const Body& body) {
-  parallel::loop(tbb::blocked_range<std::size_t>(0, count, 2048), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, count, 2048), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
   });
 }

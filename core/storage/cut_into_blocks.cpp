@@ -93,7 +93,7 @@ class Groups {
   std::vector<std::uint64_t> keys_in_order() const {
     const Brep& brep = part_.brep;
     std::vector<Box> boxes(brep.face_count());
-    parallel::loop(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
+    parallel::loop(parallel::Range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
       for (std::size_t f = range.begin(); f < range.end(); ++f)
         if (is_real(f)) boxes[f] = face_box(brep, part_.geometry, FaceId(f));
     });

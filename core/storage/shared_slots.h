@@ -29,7 +29,7 @@ struct SharedSlots {
 
   /// The slots are linked so.
   void relink() {
-    parallel::loop(tbb::blocked_range<std::size_t>(0, changes_.size(), 16), [&](const auto& range) {
+    parallel::loop(parallel::Range<std::size_t>(0, changes_.size(), 16), [&](const auto& range) {
       for (std::size_t i = range.begin(); i < range.end(); ++i) relink(changes_[i]);
     });
     changes_.clear();

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "parallel/parallel.h"
+
 namespace sectile {
 
 TrimmedBlock::TrimmedBlock(const Block& old, std::vector<FaceId> faces)
@@ -17,7 +19,7 @@ TrimmedBlock::TrimmedBlock(const Block& old, std::vector<FaceId> faces)
 }
 
 void TrimmedBlocks::trim(std::vector<Rest> rests) {
-  parallel::loop(tbb::blocked_range<std::size_t>(0, rests.size(), 4), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, rests.size(), 4), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i)
       trimmed_[rests[i].slot] = std::make_unique<const TrimmedBlock>(
           *solid_.slot(rests[i].slot).block, std::move(rests[i].faces));

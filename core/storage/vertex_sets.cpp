@@ -9,7 +9,7 @@ namespace sectile {
 
 ConcurrentSets NumbersOfSlots::separate() const {
   ConcurrentSets sets(count);
-  parallel::loop(tbb::blocked_range<std::size_t>(0, count, 0x4000),
+  parallel::loop(parallel::Range<std::size_t>(0, count, 0x4000),
                  [&](const auto& range) { sets.separate(range.begin(), range.end()); });
   return sets;
 }

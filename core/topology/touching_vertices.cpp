@@ -37,7 +37,7 @@ void mark_at_one_place(const Brep& brep, std::vector<std::uint8_t>& marked) {
 
 std::vector<VertexId> touching_vertices(const Brep& brep) {
   std::vector<std::uint8_t> marked(brep.vertex_count(), 0);
-  parallel::loop(tbb::blocked_range<std::size_t>(0, marked.size(), 4096), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, marked.size(), 4096), [&](const auto& range) {
     mark_ends_of_several_edges(brep, range.begin(), range.end(), marked);
   });
   mark_at_one_place(brep, marked);

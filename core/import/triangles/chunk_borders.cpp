@@ -13,7 +13,7 @@ namespace {
 
 template <class Body>
 void for_each(std::uint32_t count, std::uint32_t step, const Body& body) {
-  parallel::loop(tbb::blocked_range<std::uint32_t>(0, count, step), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::uint32_t>(0, count, step), [&](const auto& range) {
     for (std::uint32_t i = range.begin(); i < range.end(); ++i) body(i);
   });
 }
@@ -135,7 +135,7 @@ bool has_plain_points(const TriangleMesh& mesh, std::span<std::uint32_t> marks) 
     return borders.at(borders.beyond[last]);
   };
   const Count met = parallel::reduce(
-      tbb::blocked_range<std::size_t>(0, marks.size(), 4096), Count(),
+      parallel::Range<std::size_t>(0, marks.size(), 4096), Count(),
       [&](const auto& range, Count sum) {
         for (std::size_t p = range.begin(); p < range.end(); ++p) {
           if (marks[p] == ChunkReader::within) ++sum.points_within;

@@ -15,7 +15,7 @@ namespace {
 
 template <class Body>
 void for_each_range_of_chunks(const TriangleMesh& mesh, const Body& body) {
-  parallel::loop(tbb::blocked_range<std::uint32_t>(0, mesh.chunk_count(), 8), body);
+  parallel::loop(parallel::Range<std::uint32_t>(0, mesh.chunk_count(), 8), body);
 }
 
 bool read_chunks(ChunkReaders& readers, std::span<TriangleChunk* const> known,
@@ -117,7 +117,7 @@ void find_mates(TriangleMesh& mesh) {
 void find_mates(TriangleMesh& mesh, std::span<const std::uint32_t> chunks) {
   mesh.corners.resize(3 * mesh.source.size());
   mesh.mate.resize(3 * mesh.source.size());
-  parallel::loop(tbb::blocked_range<std::size_t>(0, chunks.size(), 8), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, chunks.size(), 8), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) find_mates_in(mesh, chunks[i]);
   });
 }

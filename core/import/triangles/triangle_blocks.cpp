@@ -30,7 +30,7 @@ class BlockMaker {
  private:
   template <class Body>
   void for_each_chunk(const Body& body) const {
-    parallel::loop(tbb::blocked_range<std::uint32_t>(0, mesh_.chunk_count(), 8),
+    parallel::loop(parallel::Range<std::uint32_t>(0, mesh_.chunk_count(), 8),
                    [&](const auto& range) {
                      for (std::uint32_t c = range.begin(); c < range.end(); ++c) body(c);
                    });

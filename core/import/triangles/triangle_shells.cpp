@@ -31,7 +31,7 @@ bool all_are(std::span<const std::uint32_t> sizes, std::uint32_t size) {
 
 template <class Body>
 void for_each(std::size_t count, const Body& body) {
-  parallel::loop(tbb::blocked_range<std::size_t>(0, count, step), [&](const auto& range) {
+  parallel::loop(parallel::Range<std::size_t>(0, count, step), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
   });
 }
