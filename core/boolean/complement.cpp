@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "boolean/boolean.h"
+#include "storage/touching_lines.h"
 #include "storage/touching_slots.h"
 
 namespace sectile {
@@ -81,7 +82,8 @@ std::shared_ptr<const SolidData> paired_for_complement(const SolidData& solid) {
 
 const SolidData& reversible(const SolidData& solid) {
   if (solid.touching_slots().empty()) return solid;
-  const SolidData* paired = solid.complement([&] { return paired_for_complement(solid); });
+  const SolidData* paired = solid.complement(
+      [&] { return may_touch_in_lines(solid) ? paired_for_complement(solid) : nullptr; });
   return paired ? *paired : solid;
 }
 

@@ -27,13 +27,25 @@ class NormalOfThree {
     }
   }
 
+  /// Seen against an axis, do the points certainly turn left, or right? Zero if doubles do not tell.
+  Sign clear_turn(int axis) const {
+    const auto k = static_cast<std::size_t>(axis);
+    // Three roundings of half an ulp in each product, and one of the difference.
+    const bool is_clear =
+        size[k] > 0x1p-700 && size[k] < 0x1p700 && std::abs(normal[k]) > 8 * 0x1p-53 * size[k];
+    return is_clear ? sign_of(normal[k]) : Sign::zero;
+  }
+  /// The axis against which most of the triangle is seen, but for roundings.
+  int main_axis() const {
+    const double n[3] = {std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])};
+    return n[0] >= n[1] ? (n[0] >= n[2] ? 0 : 2) : (n[1] >= n[2] ? 1 : 2);
+  }
+
   /// Are the points certainly not in one line?
   bool clearly_bent() const {
-    // Three roundings of half an ulp in each product, and one of the difference.
-    const auto is_off = [&](std::size_t k) {
-      return size[k] > 0x1p-700 && size[k] < 0x1p700 && std::abs(normal[k]) > 8 * 0x1p-53 * size[k];
-    };
-    return is_off(0) || is_off(1) || is_off(2);
+    for (int axis = 0; axis < 3; ++axis)
+      if (clear_turn(axis) != Sign::zero) return true;
+    return false;
   }
 
   /// On which side of the plane d certainly is: positive where the points turn left as seen from d.

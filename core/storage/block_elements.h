@@ -53,6 +53,26 @@ class BlockElements {
                 std::uint32_t(t.vertex[k < 2 ? k + 1 : 0]));
   }
 
+  /// Calls visit(vertex before, vertex, vertex after, is_of_triangle) for all corners of faces, as
+  /// they run around them.
+  template <class Visit>
+  void each_corner(const Visit& visit) const {
+    if (triangles_) {
+      for (const auto& t : triangles_->triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+          visit(std::uint32_t(t.vertex[k < 1 ? 2 : k - 1]), std::uint32_t(t.vertex[k]),
+                std::uint32_t(t.vertex[k < 2 ? k + 1 : 0]), true);
+      return;
+    }
+    const Brep& brep = block_.brep();
+    for (const HalfEdgeId h : brep.half_edges()) {
+      if (!brep.loop_of(h).valid()) continue;
+      const HalfEdgeId last = brep.prev_of(h);
+      visit(brep.from(last).value(), brep.from(h).value(), brep.to(h).value(),
+            brep.next_of(brep.next_of(h)) == last);
+    }
+  }
+
   /// Per border edge: the face that it belongs to.
   std::vector<FaceId> faces_at_border() const {
     std::vector<FaceId> faces(block_.border_count);
