@@ -27,7 +27,8 @@ class NormalOfThree {
     }
   }
 
-  /// Seen against an axis, do the points certainly turn left, or right? Zero if doubles do not tell.
+  /// Seen against an axis, do the points certainly turn left, or right? Zero if doubles do not
+  /// tell.
   Sign clear_turn(int axis) const {
     const auto k = static_cast<std::size_t>(axis);
     // Three roundings of half an ulp in each product, and one of the difference.
