@@ -3,9 +3,10 @@
 // Where a solid touches itself in a line, each of its edges there belongs to one wedge of material.
 // Turned inside out, the same faces bound the wedges between: they have to be paired anew, also
 // where the other solid is not near. That takes the blocks around such lines only: those that start
-// at vertices where the structure says so (topology/touching_vertices.h), and on from there. Along
-// other lines, as where an edge lies within a face, the pairs stay as they are: they bound the same
-// solid.
+// at vertices where the structure says so (topology/touching_vertices.h), and on from there. Where
+// none starts (storage/touching_lines.h), as where solids touch in single vertices, nothing is
+// done. Along other lines, as where an edge lies within a face, the pairs stay as they are: they
+// bound the same solid.
 #pragma once
 
 #include "storage/solid_data.h"
