@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/axes.h"
 
@@ -52,6 +51,24 @@ bool beyond_an_edge(const PlacedTriangle& s, Sign turn, int axis, const PlacedTr
   return false;
 }
 
+// Are the corners of t, but those of s, clearly on one side of the plane of s?
+bool beside_plane(const ViewedTriangle& s, const PlacedTriangle& t) {
+  Sign side = Sign::zero;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Sign here = s.plane.clear_side(t.at[i]);
+    if (here == Sign::zero) {
+      const std::uint32_t v = t.vertex[i];
+      const auto& own = s.placed.vertex;
+      if (v != own[0] && v != own[1] && v != own[2]) return false;
+    } else if (side == Sign::zero) {
+      side = here;
+    } else if (side != here) {
+      return false;
+    }
+  }
+  return side != Sign::zero;
+}
+
 // Does a plane through an edge of s and a corner of t have the rest of them on its two sides?
 bool apart_by_edge_and_corner(const PlacedTriangle& s, const PlacedTriangle& t, double slack) {
   for (std::size_t i = 0; i < 3; ++i)
@@ -65,7 +82,7 @@ bool apart_by_edge_and_corner(const PlacedTriangle& s, const PlacedTriangle& t, 
   return false;
 }
 
-// Neither lies beside the plane of the other, here and below.
+// Neither lies beside the plane of the other.
 bool clearly_apart(const PlacedTriangle& s, const TriangleView& view, const PlacedTriangle& t,
                    double slack) {
   const Sign turn = clear_turn(t.at[0], t.at[1], t.at[2], view.axis, slack);
@@ -141,14 +158,6 @@ TriangleView clear_view(const PlacedTriangle& triangle, const std::array<double,
   return turn == Sign::zero ? TriangleView() : TriangleView{axis, turn};
 }
 
-// Nothing is clear of what has two corners in one.
-double extent_of(const PlacedTriangle& triangle) {
-  const auto& [a, b, c] = triangle.vertex;
-  if (a == b || b == c || c == a) return std::numeric_limits<double>::infinity();
-  return std::max(largest_difference(triangle.at[0], triangle.at[1]),
-                  largest_difference(triangle.at[0], triangle.at[2]));
-}
-
 }  // namespace
 
 // The volume is a sum of six products of three differences. Each was off by two slacks at the most.
@@ -157,7 +166,9 @@ PlaneWithSlack::PlaneWithSlack(const Vec3& a, const Vec3& b, const Vec3& c, doub
     : corner_(a) {
   const NormalOfThree three(a, b, c);
   normal_ = three.normal;
-  const double span = std::max(largest_difference(a, b), largest_difference(a, c)) + 2 * slack;
+  const double span = std::max({std::abs(b.x - a.x), std::abs(b.y - a.y), std::abs(b.z - a.z),
+                                std::abs(c.x - a.x), std::abs(c.y - a.y), std::abs(c.z - a.z)}) +
+                      2 * slack;
   const double moved = 24 * slack * span;
   off_ = (1 + 0x1p-40) * (12 * slack * span * span + 2 * slack * moved);
   off_with_reach_ =
@@ -166,15 +177,13 @@ PlaneWithSlack::PlaneWithSlack(const Vec3& a, const Vec3& b, const Vec3& c, doub
 
 ViewedTriangle::ViewedTriangle(const PlacedTriangle& triangle, double slack)
     : placed(triangle),
-      points(triangle.at),
       plane(triangle.at[0], triangle.at[1], triangle.at[2], slack),
-      view(clear_view(triangle, plane.normal(), slack)),
-      extent(extent_of(triangle)) {}
+      view(clear_view(triangle, plane.normal(), slack)) {}
 
-bool meet_in_corners_at_crossing_planes(const ViewedTriangle& s, const ViewedTriangle& t,
-                                        double slack) {
+bool clearly_meet_in_corners(const ViewedTriangle& s, const ViewedTriangle& t, double slack) {
   const std::array<std::uint32_t, 3>&in_s = s.placed.vertex, &in_t = t.placed.vertex;
-  if (!std::isfinite(t.extent)) return false;
+  if (in_t[0] == in_t[1] || in_t[1] == in_t[2] || in_t[2] == in_t[0]) return false;
+  if (beside_plane(s, t.placed) || beside_plane(t, s.placed)) return true;
   std::size_t common = 0, of_s = 0, of_t = 0;  // the sum of their numbers
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
