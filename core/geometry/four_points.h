@@ -12,6 +12,12 @@
 
 namespace sectile {
 
+/// The axis against which most of a face with this normal is seen.
+inline int main_axis(const std::array<double, 3>& normal) {
+  const double n[3] = {std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])};
+  return n[0] >= n[1] ? (n[0] >= n[2] ? 0 : 2) : (n[1] >= n[2] ? 1 : 2);
+}
+
 /// The plane of three points, for several questions: its normal in doubles, and what the products
 /// of each coordinate of it sum up to.
 class NormalOfThree {
@@ -35,11 +41,6 @@ class NormalOfThree {
     const bool is_clear =
         size[k] > 0x1p-700 && size[k] < 0x1p700 && std::abs(normal[k]) > 8 * 0x1p-53 * size[k];
     return is_clear ? sign_of(normal[k]) : Sign::zero;
-  }
-  /// The axis against which most of the triangle is seen, but for roundings.
-  int main_axis() const {
-    const double n[3] = {std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])};
-    return n[0] >= n[1] ? (n[0] >= n[2] ? 0 : 2) : (n[1] >= n[2] ? 1 : 2);
   }
 
   /// Are the points certainly not in one line?

@@ -152,8 +152,7 @@ bool clear_at_edge(const PlacedTriangle& s, std::size_t i, const TriangleView& v
 TriangleView clear_view(const PlacedTriangle& triangle, const std::array<double, 3>& normal,
                         double slack) {
   const auto& [a, b, c] = triangle.at;
-  const double n[3] = {std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])};
-  const int axis = n[0] >= n[1] ? (n[0] >= n[2] ? 0 : 2) : (n[1] >= n[2] ? 1 : 2);
+  const int axis = main_axis(normal);
   const Sign turn = clear_turn(a, b, c, axis, slack);
   return turn == Sign::zero ? TriangleView() : TriangleView{axis, turn};
 }

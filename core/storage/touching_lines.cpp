@@ -74,7 +74,7 @@ class Collector {
 // it?
 bool clearly_outside(const Corner& c, const NormalOfThree& plane, const Vec3& q) {
   if (!c.is_convex) return false;
-  const int axis = plane.main_axis();
+  const int axis = main_axis(plane.normal);
   const Sign turn = plane.clear_turn(axis);
   return turn != Sign::zero && (NormalOfThree(c.at, c.after, q).clear_turn(axis) == -turn ||
                                 NormalOfThree(c.at, q, c.before).clear_turn(axis) == -turn);
