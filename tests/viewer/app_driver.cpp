@@ -48,7 +48,13 @@ std::string twin_scroll_bars() {
 
 AppOptions AppDriver::waiting() {
   AppOptions options;
-  options.wait_for_results = options.fast_pictures = true;
+  options.wait_for_results = options.fast_pictures = options.draw_on_request = true;
+  return options;
+}
+
+AppOptions AppDriver::drawing() {
+  AppOptions options = waiting();
+  options.draw_on_request = false;
   return options;
 }
 
@@ -67,6 +73,7 @@ void AppDriver::send(std::initializer_list<Event> events) {
 
 void AppDriver::settle(int frames) {
   for (int i = 0; i < frames; ++i) send({});
+  app_->draw();
 }
 
 void AppDriver::move(glm::dvec2 to, bool shift, bool control) {

@@ -18,7 +18,9 @@ class AppDriver {
   explicit AppDriver(int width = 960, int height = 600, float scale = 1);
   AppDriver(const AppOptions& options, int width = 960, int height = 600, float scale = 1);
 
-  static AppOptions waiting();  ///< every frame waits for results
+  /// Every frame waits for results; those are drawn with which what was done comes to rest.
+  static AppOptions waiting();
+  static AppOptions drawing();  ///< the same, and all frames are drawn
 
   App& app() { return *app_; }
   const Session& session() const { return app_->session(); }

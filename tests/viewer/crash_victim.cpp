@@ -29,7 +29,7 @@ void tell(int log, const std::string& line) {
 int run(char** arguments) {
   const int log = open(arguments[2], O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   if (log < 0) return 3;
-  AppOptions options = AppDriver::waiting();
+  AppOptions options = AppDriver::drawing();
   options.data_folder = arguments[1];
   AppDriver driver(options, 800, 520);
   driver.key(Key::escape);

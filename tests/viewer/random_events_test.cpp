@@ -26,7 +26,7 @@ void press_until(AppDriver& driver, char letter, bool (Document::*can)() const) 
 class RandomEvents : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(RandomEvents, UndoLeadsBackToTheBeginningByteForByte) {
-  AppDriver driver(800, 520);
+  AppDriver driver(AppDriver::drawing(), 800, 520);
   driver.app().start(sample_scene(GetParam() % 2 ? "fig01" : "fig13"), {});
   driver.settle();
   const std::string before = text_of(driver);
@@ -57,7 +57,7 @@ TEST_P(RandomEvents, UndoLeadsBackToTheBeginningByteForByte) {
 // This one typed into a slider, typed again where the text was shorter, and took steps of the first
 // text back, at which ImGui ended the program.
 TEST(RandomPeople, MayTypeIntoASliderTwice) {
-  AppDriver driver(800, 520);
+  AppDriver driver(AppDriver::drawing(), 800, 520);
   driver.key(Key::escape);
   RandomPerson person(driver, 112);
   driver.add("block");

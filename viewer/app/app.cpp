@@ -92,9 +92,19 @@ class App::Implementation {
     tooltip_pending_ = is_tooltip_pending();
     follow_step();
     record_on();
-    draw_picture(seconds);
+    make_picture(seconds);
     ImGui::Render();
+    is_drawn_ = false;
+    if (!options_.draw_on_request) draw();
+  }
+
+  void draw() {
+    if (is_drawn_) return;
+    interface_.bind();
+    renderer_.begin_frame();
+    renderer_.draw(picture_, viewport_);
     renderer_.draw(*ImGui::GetDrawData());
+    is_drawn_ = true;
   }
 
   /// One frame of a film for each of the window.
@@ -131,7 +141,10 @@ class App::Implementation {
     return moves ? 1.0 / 60 : 0.5;
   }
 
-  Image screenshot() { return renderer_.read_frame(); }
+  Image screenshot() {
+    draw();
+    return renderer_.read_frame();
+  }
   const DrawnWork& drawn() const { return renderer_.work(); }
 
   glm::dvec2 on_screen(const glm::dvec3& point) const {
@@ -147,7 +160,6 @@ class App::Implementation {
   std::filesystem::path settings_path() const { return options_.data_folder / "settings"; }
 
   void begin(double seconds) {
-    renderer_.begin_frame();
     ImGuiIO& io = ImGui::GetIO();
     const float scale = std::max(0.5f, context_.scale());
     if (scale != font_scale_) {
@@ -272,31 +284,31 @@ class App::Implementation {
   // A picture in full quality may take a second: it waits until the camera has come to rest.
   bool is_at_rest() const { return options_.wait_for_results || still_for_ >= 0.25; }
 
-  void draw_picture(double seconds) {
+  void make_picture(double seconds) {
     navigation_.update(session_, layout_.picture);
     // Drawing may take long, and the program may be killed in the meantime.
     session_.document.keep_copy();
     still_for_ = session_.view.camera == seen_camera_ ? still_for_ + seconds : 0;
     seen_camera_ = session_.view.camera;
-    Picture picture = pictures_.make(session_);
-    if (options_.show_interface) navigation_.add_to(picture, session_);
+    picture_ = pictures_.make(session_);
+    if (options_.show_interface) navigation_.add_to(picture_, session_);
     if (navigation_.is_dragging() || options_.fast_pictures || !is_at_rest())
-      picture.quality = Quality::fast;
+      picture_.quality = Quality::fast;
     const float scale = font_scale_;
     const auto pixels = [&](float units) { return static_cast<int>(std::lround(units * scale)); };
     const Rectangle& p = layout_.picture;
-    renderer_.draw(picture, {pixels(p.x), pixels(p.y), pixels(p.width), pixels(p.height)});
-    session_.view.legend = picture.legend;
-    draw_labels(picture);
+    viewport_ = {pixels(p.x), pixels(p.y), pixels(p.width), pixels(p.height)};
+    session_.view.legend = picture_.legend;
+    draw_labels();
   }
 
-  void draw_labels(const Picture& picture) {
+  void draw_labels() {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const Rectangle& p = layout_.picture;
     const Theme& colours = theme(session_.view.dark);
     draw.PushClipRect({p.x, p.y}, {p.x + p.width, p.y + p.height});
     std::vector<ImVec4> plates;
-    for (const Label& label : picture.labels) {
+    for (const Label& label : picture_.labels) {
       const glm::dvec3 pixel =
           session_.view.camera.project(label.place, session_.view.picture_size);
       if (pixel.z <= 0) continue;
@@ -352,6 +364,9 @@ class App::Implementation {
   EventQueue events_;
   Navigation navigation_;
   PictureMaker pictures_;
+  Picture picture_;  // of the last frame
+  Viewport viewport_;
+  bool is_drawn_ = true;
   Layout layout_;
   Fonts fonts_;
   float font_scale_ = 0;
@@ -388,6 +403,9 @@ std::vector<Image> App::film(const RecordingPlan& plan) {
 }
 const DrawnWork& App::drawn() const {
   return implementation_->drawn();
+}
+void App::draw() {
+  implementation_->draw();
 }
 Image App::screenshot() {
   return implementation_->screenshot();

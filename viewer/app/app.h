@@ -24,6 +24,7 @@ struct AppOptions {
   bool dark = false;
   bool show_interface = true;     ///< false: the picture alone
   bool fast_pictures = false;     ///< all of them with the care of those in a drag
+  bool draw_on_request = false;   ///< nobody sees the frames but those that draw() is called for
   bool wait_for_results = false;  ///< tests and screenshots: frame() waits for the evaluator
 };
 
@@ -34,14 +35,15 @@ class App {
   App(const App&) = delete;
   App& operator=(const App&) = delete;
 
-  /// Handles the input, draws one frame. `seconds` since the last frame.
+  /// Handles the input, makes one frame and draws it. `seconds` since the last frame.
   void frame(const Input& input, double seconds);
   bool wants_to_close() const;
   bool needs_frame() const;  ///< something moves or is being computed
   /// How many seconds the next frame may wait while no event arrives. What is computed wakes the
   /// window when it is done.
   double time_to_next_frame() const;
-  Image screenshot();  ///< of the last frame
+  void draw();         ///< the last frame, unless it is drawn
+  Image screenshot();  ///< of the last frame, drawn if it was not
   const DrawnWork& drawn() const;
   /// Pictures or a film without the interface; written when needs_frame() is false again.
   void record(const RecordingPlan& plan);

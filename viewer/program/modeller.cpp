@@ -81,7 +81,7 @@ void with_still_modeller(const Arguments& arguments, const std::function<void(Ap
   AppOptions options;
   options.dark = arguments.dark;
   options.show_interface = arguments.interface;
-  options.wait_for_results = true;
+  options.wait_for_results = options.draw_on_request = true;
   App app(*context, options);
   open_all_or_throw(app, arguments);
   const auto settle = [&] {
