@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-#ifndef __SANITIZE_THREAD__
+#ifndef SECTILE_SANITIZE_THREADS
 #include <tbb/parallel_sort.h>
 #include <tbb/task_group.h>
 #endif
@@ -15,7 +15,7 @@ namespace sectile::parallel {
 
 template <class Iterator, class Less = std::less<>>
 void sort(Iterator begin, Iterator end, const Less& less = Less()) {
-#ifndef __SANITIZE_THREAD__            // which sees races in TBB's own sorting
+#ifndef SECTILE_SANITIZE_THREADS       // which sees races in TBB's own sorting
   constexpr std::ptrdiff_t few = 500;  // as for TBB, which sorts these on one core
   if (end - begin >= few) {
     tbb::task_group_context own(tbb::task_group_context::isolated);

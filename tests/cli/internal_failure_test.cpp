@@ -48,7 +48,7 @@ TEST(InternalFailure, IsADefect) {
 class OutOfMemory : public ProgramTest {
  protected:
   void SetUp() override {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SECTILE_SANITIZE
     GTEST_SKIP() << "AddressSanitizer needs terabytes of addresses, so they cannot be limited.";
 #endif
     write("a.obj", content(bulged_cube(50, 0.3), Format::obj));

@@ -1,9 +1,9 @@
 // oneTBB is not compiled with ThreadSanitizer, which does not see how its threads hand tasks over
 // and takes all that tasks share for races. Under it, core's loops run on threads of their own
-// (parallel/watched.h), and oneTBB starts none.
+// (parallel/watched.cpp), and oneTBB starts none.
 #pragma once
 
-#ifdef __SANITIZE_THREAD__
+#ifdef SECTILE_SANITIZE_THREADS
 #include <tbb/global_control.h>
 
 namespace sectile {

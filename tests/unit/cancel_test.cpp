@@ -117,9 +117,9 @@ TEST(Progress, OfASplitRisesWhileBothPartsAreMade) {
 TEST(Progress, EndsAtOneWhereNothingIsLeftToDo) {
   const Solid none, a = block({0, 0, 0}, {1, 1, 1}), far = block({5, 5, 5}, {6, 6, 6});
   for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract})
-    for (const auto& [left, right] : {std::pair(none, a), std::pair(a, none), std::pair(a, a)})
+    for (const auto& pair : {std::pair(none, a), std::pair(a, none), std::pair(a, a)})
       expect_progress_to_end(BooleanOptions{}, [&](const BooleanOptions& options) {
-        boolean(left, right, operation, options);
+        boolean(pair.first, pair.second, operation, options);
       });
   expect_progress_to_end(BooleanOptions{},
                          [&](const BooleanOptions& options) { split(none, {}, options); });

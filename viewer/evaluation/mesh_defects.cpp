@@ -161,9 +161,8 @@ class DefectFinder {
         "Hole of " + std::to_string(hole.edges) + " edges, " + short_number(hole.length) + " long";
     defect.place = to_glm(hole.where);
     if (const auto piece = piece_at_.find(key(hole.where)); piece != piece_at_.end()) {
-      const auto [first, last] =
-          std::ranges::equal_range(edges_.borders, piece->second, {}, &OddEdge::piece);
-      for (const OddEdge& e : std::ranges::subrange(first, last)) append(defect.edges, e);
+      auto e = std::ranges::lower_bound(edges_.borders, piece->second, {}, &OddEdge::piece);
+      for (; e != edges_.borders.end() && e->piece == piece->second; ++e) append(defect.edges, *e);
     }
     add(std::move(defect));
   }
