@@ -29,7 +29,9 @@ void tell(int log, const std::string& line) {
 int run(char** arguments) {
   const int log = open(arguments[2], O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   if (log < 0) return 3;
-  AppOptions options = AppDriver::drawing();
+  // Who tells scenes is there for these alone.
+  const bool tells_scenes = std::getenv("SECTILE_TELL_SCENES");
+  AppOptions options = tells_scenes ? AppDriver::waiting() : AppDriver::drawing();
   options.data_folder = arguments[1];
   AppDriver driver(options, 800, 520);
   driver.key(Key::escape);
@@ -41,7 +43,7 @@ int run(char** arguments) {
     char line[64];
     std::snprintf(line, sizeof line, "%d %.6f\n", i, now());
     tell(log, line);
-    if (std::getenv("SECTILE_TELL_SCENES")) {
+    if (tells_scenes) {
       const Document& document = driver.session().document;
       const std::string text = document.is_changed() ? scene_text({document.committed(), {}}) : "";
       tell(log, std::to_string(text.size()) + "\n" + text + "\n");
