@@ -1,12 +1,11 @@
 #include "rounding/unclear_triangles.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "parallel/parallel.h"
 #include "parallel/scratch.h"
-#include "rounding/clear_pairs.h"
-#include "search/box_index.h"
-#include "search/curve_order.h"
+#include "rounding/flat_groups.h"
 
 namespace sectile {
 namespace {
@@ -20,11 +19,11 @@ class Finder {
 
  public:
   Finder(const RoundedTriangles& mesh, const RoundingSteps& steps)
-      : mesh_(mesh), steps_(steps), slack_(mesh.farthest_move()) {}
+      : mesh_(mesh), steps_(steps), slack_(mesh.farthest_move()), unsettled_(mesh.unsettled()) {}
 
   UnclearTriangles run() {
-    look_at(mesh_.unsettled());
-    if (!moved_.empty()) {
+    look_at();
+    if (moved_.size() > 0) {
       meet_each_other();
       meet_others();
     }
@@ -39,44 +38,63 @@ class Finder {
 
  private:
   // Those without area are unclear, also among those that did not move.
-  void look_at(const Triangles& unsettled) {
-    std::vector<ViewedTriangle> viewed(unsettled.size());
+  void look_at() {
+    std::vector<ViewedTriangle> viewed(unsettled_.size());
+    std::vector<Box> boxes(unsettled_.size());
     parallel::loop(parallel::Range<std::size_t>(0, viewed.size(), 1024), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i)
-        viewed[i] = ViewedTriangle(placed(unsettled[i]), slack_);
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        viewed[i] = ViewedTriangle(placed(unsettled_[i]), slack_);
+        boxes[i] = box_around(viewed[i].placed, 2 * slack_);
+      }
     });
-    std::vector<std::uint32_t> clear;
-    std::vector<Box> boxes;
+    // The pieces of a face come one after another.
+    std::vector<std::uint32_t> clear, ends;
     for (std::uint32_t i = 0; i < viewed.size(); ++i) {
       if (!viewed[i].view.clear()) {
-        give_up({unsettled[i]});
+        give_up({unsettled_[i]});
         continue;
       }
+      if (!clear.empty() && mesh_.source(unsettled_[clear.back()]) != mesh_.source(unsettled_[i]))
+        ends.push_back(static_cast<std::uint32_t>(clear.size()));
       clear.push_back(i);
-      boxes.push_back(box_of(viewed[i].placed, 2 * slack_));
     }
     for (const std::uint32_t t : mesh_.cut())
       if (!mesh_.is_unsettled(t) && !ViewedTriangle(placed(t), 0).view.clear()) give_up({t});
-    const std::vector<std::uint32_t> order = order_along_curve(boxes);
-    std::vector<Box> ordered;
-    for (const std::uint32_t i : order) {
-      moved_.push_back(viewed[clear[i]]);
-      number_.push_back(unsettled[clear[i]]);
-      ordered.push_back(boxes[i]);
-    }
-    index_ = BoxIndex(ordered, true);
+    if (clear.empty()) return;
+    ends.push_back(static_cast<std::uint32_t>(clear.size()));
+    moved_ = FlatGroups(viewed, boxes, std::move(clear), ends, slack_, extent());
+  }
+  std::uint32_t number(std::uint32_t place) const { return unsettled_[moved_.chosen(place)]; }
+
+  // No two coordinates are farther apart.
+  double extent() const {
+    Box all;
+    for (std::size_t s = 0; s < mesh_.slot_count(); ++s) all.add(mesh_.bounds(s));
+    double extent = 0;
+    for (int k = 0; k < 3; ++k) extent = std::max(extent, double(all.high[k]) - double(all.low[k]));
+    return extent * (1 + 0x1p-40);
   }
   void give_up(const Triangles& triangles) {
     for (Triangles* all : {&result_.all, &result_.not_looked_at})
       all->insert(all->end(), triangles.begin(), triangles.end());
   }
 
+  // Groups along the curve, some at one go.
   void meet_each_other() {
-    parallel::loop(parallel::Range<std::size_t>(0, moved_.size(), 64), [&](const auto& range) {
+    constexpr std::uint32_t some = 32;
+    parallel::loop(0, (moved_.count() + some - 1) / some, [&](std::size_t part) {
       steps_.check();
+      const auto first = static_cast<std::uint32_t>(part) * some,
+                 end = std::min(first + some, moved_.count());
+      Box all;
+      for (std::uint32_t g = first; g < end; ++g) all.add(moved_.box(g));
+      const FlatGroups::Selection near = moved_.near(all, end);
       found_.lend([&](UnclearTriangles& found) {
-        for (std::size_t j = range.begin(); j < range.end(); ++j)
-          meet_moved(number_[j], moved_[j], static_cast<std::uint32_t>(j), found);
+        for (std::uint32_t j = moved_.first(first); j < moved_.first(end); ++j) {
+          const ViewedTriangle& t = moved_.triangle(j);
+          const auto view = [&]() -> const ViewedTriangle& { return t; };
+          meet_moved(number(j), t.placed, view, near, j, found);
+        }
       });
     });
   }
@@ -84,32 +102,37 @@ class Finder {
   void meet_others() {
     parallel::loop(0, mesh_.slot_count(), [&](std::size_t s) {
       steps_.check();
-      if (index_.any_overlaps(mesh_.bounds(s))) meet_slot(s);
+      const FlatGroups::Selection near = moved_.near(mesh_.bounds(s), moved_.count());
+      if (!near.is_empty()) meet_slot(s, near);
     });
   }
 
   // Those of the slot that did not move against those that did.
-  void meet_slot(std::size_t s) {
+  void meet_slot(std::size_t s, const FlatGroups::Selection& near) {
     found_.lend([&](UnclearTriangles& found) {
       const auto [first, end] = mesh_.triangles(s);
       for (std::uint32_t t = first; t < end; ++t) {
         if (mesh_.is_unsettled(t)) continue;
         const PlacedTriangle at = placed(t);
-        if (index_.any_overlaps(box_of(at, 0)))
-          meet_moved(t, ViewedTriangle(at, slack_), static_cast<std::uint32_t>(moved_.size()),
-                     found);
+        std::optional<ViewedTriangle> viewed;  // as soon as anything is near
+        const auto view = [&]() -> const ViewedTriangle& {
+          return viewed ? *viewed : viewed.emplace(at, slack_);
+        };
+        meet_moved(t, at, view, near, moved_.size(), found);
       }
     });
   }
 
-  // The first ones of those that moved against another triangle.
-  void meet_moved(std::uint32_t t, const ViewedTriangle& triangle, std::uint32_t first,
+  // A triangle with those that moved and come before `end`.
+  template <class View>
+  void meet_moved(std::uint32_t t, const PlacedTriangle& at, const View& view,
+                  const FlatGroups::Selection& near, std::uint32_t end,
                   UnclearTriangles& found) const {
     int pairs = 0;
-    const bool few = index_.overlapping(box_of(triangle.placed, 0), first, [&](std::uint32_t i) {
+    const bool few = moved_.near(near, at, box_around(at, 0), end, [&](std::uint32_t place) {
       if (++pairs > most_pairs) return false;
-      if (clearly_meet_in_corners(moved_[i], triangle, slack_)) return true;
-      found.all.push_back(number_[i]);
+      if (clearly_meet_in_corners(moved_.triangle(place), view(), slack_)) return true;
+      found.all.push_back(number(place));
       found.all.push_back(t);
       return true;
     });
@@ -126,20 +149,11 @@ class Finder {
     const std::vector<Vec3>& at = mesh_.positions();
     return {c, {at[c[0]], at[c[1]], at[c[2]]}};
   }
-  static Box box_of(const PlacedTriangle& triangle, double wider) {
-    Bounds bounds;
-    for (const Vec3& p : triangle.at) bounds.add(p);
-    bounds.low = {bounds.low.x - wider, bounds.low.y - wider, bounds.low.z - wider};
-    bounds.high = {bounds.high.x + wider, bounds.high.y + wider, bounds.high.z + wider};
-    return bounds.box();
-  }
-
   const RoundedTriangles& mesh_;
   const RoundingSteps& steps_;
   const double slack_;
-  std::vector<ViewedTriangle> moved_;  // those that are looked at here
-  std::vector<std::uint32_t> number_;  // of each
-  BoxIndex index_;                     // of them
+  const Triangles unsettled_;
+  FlatGroups moved_;  // those of them that are looked at here
   parallel::Scratch<UnclearTriangles> found_;
   UnclearTriangles result_;
 };
