@@ -83,9 +83,9 @@ PolygonMesh side_by_side(PolygonMesh a, const PolygonMesh& b) {
 }
 
 struct TwoSpheres {
-  Solid a = sphere(1, 160, 80), b;
+  Solid a, b;
   PolygonMesh mesh;
-  TwoSpheres() {
+  explicit TwoSpheres(std::uint32_t rings = 80) : a(sphere(1, 2 * rings, rings)) {
     b = Solid::from_mesh(transformed(a, Transform::translation({0.7, 0.31, 0.13})).to_mesh());
     mesh = side_by_side(a.to_mesh(), b.to_mesh());
   }
@@ -128,8 +128,9 @@ TEST(CancelAtEachTenth, Arrangement) {
   });
 }
 
+// Of a solid so large that it takes many times as long as the other thread sleeps.
 TEST(CancelAtEachTenth, Export) {
-  const TwoSpheres spheres;
+  const TwoSpheres spheres(300);
   const Solid both = boolean(spheres.a, spheres.b, Operation::unite);
   expect_to_end_soon([&](Cancel cancel, const Tell& tell) {
     Rounding options;
