@@ -110,5 +110,18 @@ TEST_F(Rest, NothingIsDrawnWhileOnlyTheMouseMovesOverPanels) {
   EXPECT_EQ(work.pictures, 0u);
 }
 
+TEST(WithoutAWindow, OnlyFramesThatAreAskedForAreDrawn) {
+  AppDriver driver(AppDriver::waiting(), 640, 400);
+  App& app = driver.app();
+  app.start(scene_of_a_dense_ball(), {});
+  const std::uint64_t before = app.drawn().pictures;
+  for (int i = 0; i < 3; ++i) app.frame({}, 0.1);
+  EXPECT_EQ(app.drawn().pictures, before);
+  const Image shown = app.screenshot();
+  EXPECT_EQ(app.drawn().pictures, before + 1);
+  app.frame({}, 0.1);
+  EXPECT_EQ(app.screenshot().rgba, shown.rgba);
+}
+
 }  // namespace
 }  // namespace sectile::viewer
