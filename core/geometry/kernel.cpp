@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/same_definition.h"
 #include "numbers/rounding.h"
@@ -35,7 +36,9 @@ void grow(std::vector<std::atomic<const Value*>>& table, std::size_t size) {
 
 template <class Value>
 void clear(std::vector<std::atomic<const Value*>>& table) {
-  for (auto& slot : table) delete slot.exchange(nullptr, std::memory_order_relaxed);
+  for (auto& slot : table)
+    if (slot.load(std::memory_order_relaxed) != nullptr)  // as hardly any is
+      delete slot.exchange(nullptr, std::memory_order_relaxed);
 }
 
 Vec3 rounded(const ExactPoint& p) {
@@ -57,6 +60,13 @@ Kernel::Kernel(const Geometry& geometry) : geometry_(geometry) {
   refresh();
 }
 
+Kernel::Kernel(const Geometry& geometry, std::span<const PlaneId> some) : geometry_(geometry) {
+  constexpr double anything = std::numeric_limits<double>::infinity();
+  values_.assign(geometry.planes.size(), {{0, 0, 0}, 0, anything, anything, false});
+  for (const PlaneId s : some) values_[s.value()] = plane_value(geometry, s);
+  make_room();
+}
+
 Kernel::~Kernel() {
   clear(bounded_planes_);
   clear(exact_planes_);
@@ -75,8 +85,12 @@ void Kernel::refresh() {
     parallel::loop(parallel::Range<std::size_t>(known, count, 4096),
                    [&](const auto& range) { fill(range.begin(), range.end()); });
   }
-  grow(bounded_planes_, count);
-  grow(exact_planes_, count);
+  make_room();
+}
+
+void Kernel::make_room() {
+  grow(bounded_planes_, geometry_.planes.size());
+  grow(exact_planes_, geometry_.planes.size());
   grow(exact_points_, geometry_.positions.size());
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/formulas.h"
@@ -41,6 +42,9 @@ struct Estimate {
 class Kernel {
  public:
   explicit Kernel(const Geometry& geometry);
+  /// For tests that hardly ever ask about planes other than some: of the others doubles tell
+  /// nothing.
+  Kernel(const Geometry& geometry, std::span<const PlaneId> some);
   ~Kernel();
   Kernel(const Kernel&) = delete;
   Kernel& operator=(const Kernel&) = delete;
@@ -100,6 +104,7 @@ class Kernel {
   ConstructedPoint construct(const Construction& how) const;
 
  private:
+  void make_room();
   std::optional<Vec3> along_axis(const Construction& how) const;
   std::array<Bounded, 3> bounded_place(const Construction& how) const;
   Sign exact_side(PointId point, PlaneId plane) const;

@@ -38,7 +38,7 @@ Box image_of(const Box& box, const Frame& frame) {
 Block::Block() : structure_(std::make_shared<Structure>()) {}
 
 Block::Block(CompactTriangles triangles)
-    : border_count(triangles.border_count),
+    : border_count(static_cast<std::uint32_t>(triangles.border.size())),
       structure_(std::make_shared<Structure>()),
       is_late_(true),
       triangles_(std::make_shared<const CompactTriangles>(std::move(triangles))) {

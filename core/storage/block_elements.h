@@ -46,11 +46,8 @@ class BlockElements {
       }
       return;
     }
-    for (const auto& t : triangles_->triangles)
-      for (std::size_t k = 0; k < 3; ++k)
-        if (t.half_edge[k] < 2 * block_.border_count)
-          visit(t.half_edge[k] / 2u, std::uint32_t(t.vertex[k]),
-                std::uint32_t(t.vertex[k < 2 ? k + 1 : 0]));
+    for (std::uint32_t b = 0; const auto& [corner, from, to] : triangles_->border)
+      visit(b++, std::uint32_t(from), std::uint32_t(to));
   }
 
   /// Calls visit(vertex before, vertex, vertex after, is_of_triangle) for all corners of faces, as
@@ -76,14 +73,9 @@ class BlockElements {
   /// Per border edge: the face that it belongs to.
   std::vector<FaceId> faces_at_border() const {
     std::vector<FaceId> faces(block_.border_count);
-    if (!triangles_) {
-      for (std::uint32_t b = 0; b < faces.size(); ++b)
-        faces[b] = block_.brep().face_of(HalfEdgeId(2 * b));
-      return faces;
-    }
-    for (std::size_t f = 0; f < triangles_->triangles.size(); ++f)
-      for (const std::uint16_t h : triangles_->triangles[f].half_edge)
-        if (h < 2 * block_.border_count) faces[h / 2u] = FaceId(f);
+    for (std::uint32_t b = 0; b < faces.size(); ++b)
+      faces[b] = triangles_ ? FaceId(triangles_->border[b].corner / 3u)
+                            : block_.brep().face_of(HalfEdgeId(2 * b));
     return faces;
   }
 

@@ -26,16 +26,45 @@ struct CutFaces {
   std::vector<std::uint32_t> face_end;             ///< per face that is no triangle
 };
 
+// The sides of a face of few corners: a row of bits for each corner.
+class SideMatrix {
+ public:
+  static constexpr std::uint32_t most_corners = 32;
+
+  /// False if it was there.
+  bool add(std::uint32_t from, std::uint32_t to) {
+    const std::uint32_t bit = 1u << to;
+    const bool is_new = (to_[from] & bit) == 0;
+    to_[from] |= bit;
+    from_[to] |= 1u << from;
+    return is_new;
+  }
+  /// Is each there the other way, too?
+  bool are_matched(std::uint32_t corners) const {
+    return std::equal(to_.begin(), to_.begin() + corners, from_.begin());
+  }
+
+ private:
+  std::array<std::uint32_t, most_corners> to_ = {}, from_ = {};
+};
+
 class FaceCutter {
  public:
   FaceCutter(const Slot& slot, CutFaces& result)
       : slot_(slot), brep_(slot.block->brep()), result_(result) {}
 
-  /// False if no triangles between all corners, and with no others, make up the face.
+  /// False if no triangles between all corners, and with no others, make up a face.
   bool run() {
-    for (std::size_t f = 0; f < brep_.face_count(); ++f)
-      if (!is_triangle(brep_, FaceId(f)) && !cut(FaceId(f))) return false;
-    return true;
+    std::vector<FaceId> faces;
+    std::vector<PlaneId> planes;
+    for (std::uint32_t f = 0; f < brep_.face_count(); ++f) {
+      if (is_triangle(brep_, FaceId(f))) continue;
+      faces.push_back(FaceId(f));
+      planes.push_back(brep_.plane[FaceId(f)]);
+    }
+    if (faces.empty()) return true;
+    const Kernel kernel(slot_.block->geometry(), planes);
+    return std::all_of(faces.begin(), faces.end(), [&](FaceId f) { return cut(f, kernel); });
   }
 
  private:
@@ -45,8 +74,7 @@ class FaceCutter {
     auto operator<=>(const Side&) const = default;
   };
 
-  bool cut(FaceId f) {
-    if (!kernel_) kernel_.emplace(slot_.block->geometry());
+  bool cut(FaceId f, const Kernel& kernel) {
     points_.clear();
     vertices_.clear();
     ends_.clear();
@@ -58,9 +86,8 @@ class FaceCutter {
       ends_.push_back(static_cast<std::uint32_t>(points_.size()));
     }
     const PlaneId plane = brep_.plane[f];
-    const int axis = kernel_->main_axis(plane);
-    const FacePredicates exact(*kernel_, axis, kernel_->normal(plane, axis) == Sign::negative,
-                               points_);
+    const int axis = kernel.main_axis(plane);
+    const FacePredicates exact(kernel, axis, kernel.normal(plane, axis) == Sign::negative, points_);
     numbers_.clear();
     try {
       triangulate_in_shape(exact, std::span<const std::uint32_t>(ends_), numbers_);
@@ -77,13 +104,16 @@ class FaceCutter {
 
   // Each side of a triangle once the other way, on another triangle or, turned, on the border.
   bool all_matched() {
-    sides_.clear();
-    for (std::uint32_t begin = 0; const std::uint32_t end : ends_) {
-      for (std::uint32_t i = begin; i < end; ++i) add_side(i + 1 < end ? i + 1 : begin, i);
-      begin = end;
+    if (ends_.size() == 1 && ends_[0] <= SideMatrix::most_corners) {
+      SideMatrix sides;
+      bool once = true;
+      for_each_side([&](std::uint32_t from, std::uint32_t to) { once &= sides.add(from, to); });
+      return once && sides.are_matched(ends_[0]);
     }
-    for (const auto& t : numbers_)
-      for (std::size_t k = 0; k < 3; ++k) add_side(t[k], t[k < 2 ? k + 1 : 0]);
+    sides_.clear();
+    for_each_side([&](std::uint32_t from, std::uint32_t to) {
+      sides_.push_back({std::min(from, to), std::max(from, to), from < to});
+    });
     std::sort(sides_.begin(), sides_.end());
     if (sides_.size() % 2 != 0) return false;
     for (std::size_t i = 0; i < sides_.size(); i += 2) {
@@ -93,14 +123,19 @@ class FaceCutter {
     }
     return true;
   }
-  void add_side(std::uint32_t from, std::uint32_t to) {
-    sides_.push_back({std::min(from, to), std::max(from, to), from < to});
+  template <class Visit>
+  void for_each_side(const Visit& visit) const {
+    for (std::uint32_t begin = 0; const std::uint32_t end : ends_) {
+      for (std::uint32_t i = begin; i < end; ++i) visit(i + 1 < end ? i + 1 : begin, i);
+      begin = end;
+    }
+    for (const auto& t : numbers_)
+      for (std::size_t k = 0; k < 3; ++k) visit(t[k], t[k < 2 ? k + 1 : 0]);
   }
 
   const Slot& slot_;
   const Brep& brep_;
   CutFaces& result_;
-  std::optional<Kernel> kernel_;
   std::vector<PointId> points_;
   std::vector<VertexId> vertices_;
   std::vector<std::uint32_t> ends_;
@@ -119,7 +154,7 @@ class Collector {
     parallel::invoke([&] { cut = cut_polygons(); }, [&] { vertices.emplace(data_); });
     if (!cut) return {};
     count();
-    number_vertices(*vertices);
+    parallel::invoke([&] { make_room(); }, [&] { number_vertices(*vertices); });
     result_.first_vertex = std::move(vertices->number.first);
     parallel::loop(0, slots_.size(), [&](std::size_t s) {
       if (!slots_[s].empty()) write(static_cast<std::uint32_t>(s));
@@ -150,8 +185,12 @@ class Collector {
         result_.cut.push_back(triangles - static_cast<std::uint32_t>(i));
     }
     result_.first_triangle.push_back(triangles);
-    result_.indices.resize(3 * std::size_t(triangles));
-    result_.source.resize(triangles);
+  }
+
+  void make_room() {
+    const std::size_t triangles = result_.first_triangle.back();
+    parallel::invoke([&] { result_.indices.resize(3 * triangles); },
+                     [&] { result_.source.resize(triangles); });
   }
 
   // The first block that has a vertex gives it its number.

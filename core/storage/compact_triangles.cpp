@@ -8,7 +8,7 @@ Brep make_brep(const CompactTriangles& of) {
   brep.vertex_half_edge.reserve(of.positions.size());
   brep.point.reserve(of.positions.size());
   brep.reserve_faces(of.triangles.size());
-  const auto is_border = [&](HalfEdgeId h) { return h.value() < 2 * of.border_count; };
+  const auto is_border = [&](HalfEdgeId h) { return h.value() < 2 * of.border.size(); };
   for (const auto& [vertex, half_edge, source] : of.triangles) {
     const LoopId loop(brep.loop_count());
     for (std::size_t k = 0; k < 3; ++k) {

@@ -19,10 +19,15 @@ struct CompactTriangles {
     std::array<std::uint16_t, 3> half_edge;  ///< those that leave them
     std::uint32_t source;                    ///< FaceSource::face
   };
+  struct BorderEdge {
+    std::uint16_t corner;    ///< three times its triangle, and which of the half-edges it is
+    std::uint16_t from, to;  ///< vertices: here, so that triangles are not looked up for them
+  };
   std::vector<Vec3> positions;      ///< per vertex, in the order in which triangles meet them
   std::vector<Triangle> triangles;  ///< per face
-  std::uint32_t half_edge_count = 0, border_count = 0;  ///< see storage/block.h
-  std::uint32_t origin = 0;                             ///< FaceSource::solid
+  std::uint32_t half_edge_count = 0;
+  std::vector<BorderEdge> border;  ///< per edge that leaves the block: see storage/block.h
+  std::uint32_t origin = 0;        ///< FaceSource::solid
   /// The pieces that hang together over edges, numbered by their first triangles; 0 if nobody has
   /// looked.
   std::uint32_t piece_count = 0;

@@ -27,7 +27,7 @@ Pieces::Pieces(const CompactTriangles& triangles) {
     for (const std::uint16_t h : triangles.triangles[t].half_edge)
       face[h] = static_cast<std::uint16_t>(t);
   DisjointSets sets(triangles.triangles.size());
-  for (std::size_t h = std::size_t(2) * triangles.border_count; h < face.size(); h += 2)
+  for (std::size_t h = 2 * triangles.border.size(); h < face.size(); h += 2)
     sets.unite(face[h], face[h + 1]);
   auto [of_face, count] = std::move(sets).numbered();
   set(std::move(of_face), count);

@@ -131,8 +131,10 @@ void ChunkReader::find_flat_edges() {
 
 void ChunkReader::add_triangles(const TriangleMesh& mesh) {
   CompactTriangles& made = result_->triangles;
-  made.border_count = border_count_;
   made.half_edge_count = 2u * (border_count_ + inner_count_);
+  made.border.reserve(border_count_);
+  for (std::uint16_t b = 0; b < border_count_; ++b)
+    made.border.push_back({border_[b], vertex_[border_[b]], vertex_[next(border_[b])]});
   made.positions.assign(position_.begin(), position_.begin() + vertices_);
   made.triangles.resize(corners_ / 3u);
   for (std::uint16_t i = 0; i < corners_; i = static_cast<std::uint16_t>(i + 3))

@@ -75,6 +75,7 @@ class ShellFinder {
 void find_mates_in(TriangleMesh& mesh, std::uint32_t chunk) {
   const CompactTriangles& made = mesh.chunks[chunk].triangles;
   const std::uint32_t first = 3 * mesh.chunk_begin(chunk);
+  const auto inner = static_cast<std::uint32_t>(2 * made.border.size());
   std::array<std::uint32_t, std::size_t(6) * TriangleMesh::most_of_a_chunk> corner_of;
   for (std::uint32_t i = 0; i < 3 * made.triangles.size(); ++i) {
     const CompactTriangles::Triangle& triangle = made.triangles[i / 3];
@@ -82,10 +83,10 @@ void find_mates_in(TriangleMesh& mesh, std::uint32_t chunk) {
     corner_of[triangle.half_edge[i % 3]] = first + i;
   }
   const ChunkBorders& borders = mesh.borders;
-  for (std::uint32_t b = 0; b < made.border_count; ++b)
-    mesh.mate[corner_of[2 * b]] =
+  for (std::uint32_t b = 0; b < made.border.size(); ++b)
+    mesh.mate[first + made.border[b].corner] =
         mesh.corner_of(borders.at(borders.beyond[borders.at({chunk, b})]));
-  for (std::uint32_t h = 2 * made.border_count; h < made.half_edge_count; ++h)
+  for (std::uint32_t h = inner; h < made.half_edge_count; ++h)
     mesh.mate[corner_of[h]] = corner_of[h ^ 1u];
 }
 

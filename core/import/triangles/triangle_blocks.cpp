@@ -84,7 +84,7 @@ class BlockMaker {
       take(corner);
       ++next;
     });
-    made.border_count = next / 2u;
+    made.border.resize(next / 2u);
     for_each_corner(chunk, [&](std::uint32_t corner) {
       if (remains[corner - first] != none) return;
       take(corner);
@@ -101,6 +101,7 @@ class BlockMaker {
     made.triangles.reserve(size_of(chunk));
     for_each_triangle(chunk, [&](std::uint32_t t) {
       const std::uint32_t place = t - mesh_.chunk_begin(chunk);
+      const std::size_t corner = 3 * made.triangles.size();
       CompactTriangles::Triangle& triangle =
           made.triangles.emplace_back(read(chunk).triangles[place]);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -112,6 +113,10 @@ class BlockMaker {
         triangle.vertex[k] = known;
         triangle.half_edge[k] = remains_[chunk][3 * place + k];
       }
+      for (std::size_t k = 0; k < 3; ++k)
+        if (const std::size_t e = triangle.half_edge[k] / 2u; e < made.border.size())
+          made.border[e] = {static_cast<std::uint16_t>(corner + k), triangle.vertex[k],
+                            triangle.vertex[k < 2 ? k + 1 : 0]};
     });
   }
 
