@@ -36,16 +36,40 @@ Sign clear_turn(const Vec3& p, const Vec3& q, const Vec3& r, int axis, double sl
   return clear_turn(Way(p, q, axis), Way(p, r, axis), slack);
 }
 
+// An edge seen against an axis, for several corners: clear_turn with what they have in common.
+class SeenEdge {
+ public:
+  SeenEdge(const Vec3& from, const Vec3& to, int axis, double slack)
+      : from_(from),
+        edge_(from, to, axis),
+        axis_(axis),
+        off_((1 + 0x1p-40) * 4 * slack * (edge_.reach() + 4 * slack)),
+        off_with_reach_(8 * 0x1p-53 * (std::abs(edge_.u) + std::abs(edge_.v)) +
+                        (1 + 0x1p-40) * 4 * slack) {}
+
+  /// Did the edge certainly always turn that way to a corner?
+  bool turns(Sign way, const Vec3& to) const {
+    const Way other(from_, to, axis_);
+    const double turn = edge_.u * other.v - other.u * edge_.v, reach = other.reach(),
+                 off = off_ + off_with_reach_ * reach;
+    // Underflow of products is nothing beside numbers of that order.
+    return reach < 0x1p400 && off > 0x1p-700 && (way == Sign::positive ? turn > off : -turn > off);
+  }
+
+ private:
+  Vec3 from_;
+  Way edge_;
+  int axis_;
+  double off_, off_with_reach_;
+};
+
 // Seen along the axis, is the other triangle beyond one of the edges of a triangle?
 bool beyond_an_edge(const PlacedTriangle& s, Sign turn, int axis, const PlacedTriangle& t,
                     double slack) {
   if (turn == Sign::zero) return false;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3& from = s.at[i];
-    const Way edge(from, s.at[after[i]], axis);
-    if (clear_turn(edge, Way(from, t.at[0], axis), slack) == -turn &&
-        clear_turn(edge, Way(from, t.at[1], axis), slack) == -turn &&
-        clear_turn(edge, Way(from, t.at[2], axis), slack) == -turn)
+    const SeenEdge edge(s.at[i], s.at[after[i]], axis, slack);
+    if (edge.turns(-turn, t.at[0]) && edge.turns(-turn, t.at[1]) && edge.turns(-turn, t.at[2]))
       return true;
   }
   return false;

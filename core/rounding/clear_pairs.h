@@ -37,6 +37,8 @@ class PlaneWithSlack {
     return reach < 0x1p200 && off > 0x1p-750 && std::abs(value) > off ? sign_of(value) : Sign::zero;
   }
   const std::array<double, 3>& normal() const { return normal_; }
+  /// How far its coordinates may be off those of where the corners were, all together.
+  double normal_off() const { return off_with_reach_; }
 
  private:
   Vec3 corner_;

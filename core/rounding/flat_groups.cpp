@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "parallel/parallel.h"
 #include "search/curve_order.h"
@@ -11,38 +12,9 @@ namespace {
 
 // All boxes of a group are looked at where one is near.
 constexpr std::uint32_t most_of_a_group = 32;
-// Around hubs, and where all is long and thin, nearly all groups would be selected again and again.
-constexpr std::uint32_t most_to_select_from = 4096;
 
 double size_of(const std::array<double, 3>& n) {
   return std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
-}
-
-struct Group {
-  std::uint32_t first, end;  // of those that are chosen
-};
-
-Group piece(std::uint32_t first, std::uint32_t end) {
-  return {first, std::min(end, first + most_of_a_group)};
-}
-
-// Those of a large face are put along a curve first.
-std::vector<Group> groups_of(std::vector<std::uint32_t>& chosen, const std::vector<Box>& boxes,
-                             const std::vector<std::uint32_t>& ends) {
-  std::vector<Group> groups;
-  groups.reserve(ends.size());
-  std::uint32_t first = 0;
-  for (const std::uint32_t end : ends) {
-    if (end - first > most_of_a_group) {
-      const std::vector<std::uint32_t> face(chosen.begin() + first, chosen.begin() + end);
-      std::vector<Box> of_face;
-      for (const std::uint32_t i : face) of_face.push_back(boxes[i]);
-      for (std::uint32_t k = first; const std::uint32_t i : order_along_curve(of_face))
-        chosen[k++] = face[i];
-    }
-    for (; first < end; first = groups.back().end) groups.push_back(piece(first, end));
-  }
-  return groups;
 }
 
 }  // namespace
@@ -56,9 +28,9 @@ Box box_around(const PlacedTriangle& triangle, double wider) {
 }
 
 // Any normal is right; that of the largest triangle is nearest to those of the others.
-Slab::Slab(const ViewedTriangle* first, const ViewedTriangle* end, double slack, double extent) {
-  const ViewedTriangle* const largest =
-      std::max_element(first, end, [](const ViewedTriangle& s, const ViewedTriangle& t) {
+Slab::Slab(std::span<const ViewedTriangle> triangles, double slack, double extent) {
+  const auto largest = std::max_element(
+      triangles.begin(), triangles.end(), [](const ViewedTriangle& s, const ViewedTriangle& t) {
         return size_of(s.plane.normal()) < size_of(t.plane.normal());
       });
   const double size = size_of(largest->plane.normal());
@@ -67,8 +39,8 @@ Slab::Slab(const ViewedTriangle* first, const ViewedTriangle* end, double slack,
   normal_ = largest->plane.normal();
   origin_ = largest->placed.at[0];
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const ViewedTriangle* t = first; t != end; ++t)
-    for (const Vec3& p : t->placed.at) {
+  for (const ViewedTriangle& t : triangles)
+    for (const Vec3& p : t.placed.at) {
       low = std::min(low, value(p));
       high = std::max(high, value(p));
     }
@@ -88,59 +60,63 @@ bool Slab::always_clear_of(const Box& box) const {
   return farthest(low, high) < low_ || farthest(high, low) > high_;
 }
 
-FlatGroups::FlatGroups(const std::vector<ViewedTriangle>& triangles, const std::vector<Box>& boxes,
-                       std::vector<std::uint32_t> chosen, const std::vector<std::uint32_t>& ends,
-                       double slack, double extent) {
-  const std::vector<Group> groups = groups_of(chosen, boxes, ends);
-  const auto for_groups = [&](const auto& body) {
-    parallel::loop(parallel::Range<std::size_t>(0, groups.size(), 256), [&](const auto& range) {
-      for (std::size_t g = range.begin(); g < range.end(); ++g) body(g);
-    });
-  };
-  std::vector<Box> around(groups.size());
-  for_groups([&](std::size_t g) {
-    for (std::uint32_t i = groups[g].first; i < groups[g].end; ++i) around[g].add(boxes[chosen[i]]);
-  });
-  const std::vector<std::uint32_t> order = order_along_curve(around);
-  first_.resize(groups.size() + 1);
-  first_four_.resize(groups.size() + 1);
-  for (std::size_t g = 0; g < order.size(); ++g) {
-    const auto [first, end] = groups[order[g]];
-    first_[g + 1] = first_[g] + (end - first);
-    first_four_[g + 1] = first_four_[g] + (end - first + 3) / 4;
-  }
-  boxes_.resize(groups.size());
-  chosen_.resize(chosen.size());
-  triangles_.resize(chosen.size());
+FlatGroups::FlatGroups(const std::function<PlacedTriangle(std::uint32_t)>& triangle,
+                       const std::vector<std::uint32_t>& ends, double slack, double extent) {
+  gather(triangle, ends);
+  triangles_.resize(number_.size());
   fours_.resize(first_four_.back());
-  slabs_.resize(groups.size());
-  for_groups([&](std::size_t g) {
-    boxes_[g] = around[order[g]];
-    const std::uint32_t first = first_[g], from = groups[order[g]].first;
-    for (std::uint32_t i = 0; first + i < first_[g + 1]; ++i) {
-      const std::uint32_t number = chosen[from + i];
-      chosen_[first + i] = number;
-      triangles_[first + i] = triangles[number];
-      fours_[first_four_[g] + i / 4].set(i % 4, boxes[number]);
-    }
-    slabs_[g] = Slab(triangles_.data() + first, triangles_.data() + first_[g + 1], slack, extent);
+  boxes_.resize(first_.size() - 1);
+  slabs_.resize(boxes_.size());
+  parallel::loop(parallel::Range<std::uint32_t>(0, count(), 128), [&](const auto& range) {
+    for (std::uint32_t g = range.begin(); g < range.end(); ++g) look_at(g, triangle, slack, extent);
   });
   index_ = BoxIndex(boxes_, true);
 }
 
-FlatGroups::Selection FlatGroups::near(const Box& box, std::uint32_t groups) const {
-  Selection found;
-  std::vector<Box> boxes;
-  std::uint32_t count = 0;
-  found.end = groups;
-  found.all = !index_.overlapping(box, groups, [&](std::uint32_t g) {
-    if (++count > most_to_select_from) return false;
-    if (slabs_[g].always_clear_of(box)) return true;
-    found.groups.push_back(g);
-    boxes.push_back(boxes_[g]);
-    return true;
-  });
-  if (!found.all) found.index = BoxIndex(boxes, true);
+// Those of a large face are put along a curve first.
+void FlatGroups::gather(const std::function<PlacedTriangle(std::uint32_t)>& triangle,
+                        const std::vector<std::uint32_t>& ends) {
+  number_.resize(ends.empty() ? 0 : ends.back());
+  std::iota(number_.begin(), number_.end(), 0u);
+  first_.assign(1, 0);
+  first_four_.assign(1, 0);
+  for (const std::uint32_t end : ends) {
+    std::uint32_t first = first_.back();
+    if (end - first > most_of_a_group) {
+      std::vector<Box> boxes;
+      for (std::uint32_t i = first; i < end; ++i) boxes.push_back(box_around(triangle(i), 0));
+      for (std::uint32_t k = first; const std::uint32_t i : order_along_curve(boxes))
+        number_[k++] = first + i;
+    }
+    for (std::uint32_t size = 0; first < end; first += size) {
+      size = std::min(end - first, most_of_a_group);
+      first_.push_back(first + size);
+      first_four_.push_back(first_four_.back() + (size + 3) / 4);
+    }
+  }
+}
+
+void FlatGroups::look_at(std::uint32_t group,
+                         const std::function<PlacedTriangle(std::uint32_t)>& triangle, double slack,
+                         double extent) {
+  const std::uint32_t first = first_[group], size = first_[group + 1] - first;
+  for (std::uint32_t i = 0; i < size; ++i) {
+    ViewedTriangle& viewed = triangles_[first + i];
+    viewed = ViewedTriangle(triangle(number_[first + i]), slack);
+    if (!viewed.view.clear()) continue;
+    const Box box = box_around(viewed.placed, 2 * slack);
+    fours_[first_four_[group] + i / 4].set(i % 4, box);
+    boxes_[group].add(box);
+  }
+  slabs_[group] = Slab(std::span(triangles_).subspan(first, size), slack, extent);
+}
+
+FlatGroups::Members FlatGroups::beside(std::uint32_t group, const Slab& slab, Members among) const {
+  Members found = 0;
+  for (; among != 0; among &= among - 1) {
+    const auto i = static_cast<std::uint32_t>(std::countr_zero(among));
+    if (slab.always_clear_of(triangles_[first_[group] + i].placed)) found |= Members(1) << i;
+  }
   return found;
 }
 

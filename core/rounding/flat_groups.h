@@ -6,7 +6,9 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "rounding/clear_pairs.h"
@@ -24,7 +26,7 @@ class Slab {
   Slab() = default;
   /// Around triangles whose corners, as those of all that are compared with it, were up to `slack`
   /// away in each coordinate. No two of these corners are farther apart in one than `extent`.
-  Slab(const ViewedTriangle* first, const ViewedTriangle* end, double slack, double extent);
+  Slab(std::span<const ViewedTriangle> triangles, double slack, double extent);
 
   /// Was a triangle beside it all the way on which its corners came to where they are?
   bool always_clear_of(const PlacedTriangle& triangle) const {
@@ -49,76 +51,103 @@ class Slab {
 class FlatGroups {
  public:
   FlatGroups() = default;
-  /// Of some of the triangles, those that are `chosen`: up to each of the `ends` they are in one
-  /// plane, or nearly so. `boxes`: around each triangle, two slacks wider. See Slab.
-  FlatGroups(const std::vector<ViewedTriangle>& triangles, const std::vector<Box>& boxes,
-             std::vector<std::uint32_t> chosen, const std::vector<std::uint32_t>& ends,
-             double slack, double extent);
+  /// Up to each of the `ends` triangles are in one plane, or nearly so; faces that are near each
+  /// other should come one after another. See Slab.
+  FlatGroups(const std::function<PlacedTriangle(std::uint32_t)>& triangle,
+             const std::vector<std::uint32_t>& ends, double slack, double extent);
 
-  // The triangles have places 0 … size() - 1, group by group.
+  // The triangles have places 0 … size() - 1, group by group. Those without a clear view are at
+  // their places, but near nothing.
   std::uint32_t size() const { return static_cast<std::uint32_t>(triangles_.size()); }
   const ViewedTriangle& triangle(std::uint32_t place) const { return triangles_[place]; }
-  std::uint32_t chosen(std::uint32_t place) const { return chosen_[place]; }
+  std::uint32_t number(std::uint32_t place) const { return number_[place]; }
   std::uint32_t count() const { return static_cast<std::uint32_t>(slabs_.size()); }
   std::uint32_t first(std::uint32_t group) const { return first_[group]; }
 
-  Box box(std::uint32_t group) const { return boxes_[group]; }
+  const Box& box(std::uint32_t group) const { return boxes_[group]; }
+  const Slab& slab(std::uint32_t group) const { return slabs_[group]; }
 
-  /// Some of the groups.
-  struct Selection {
-    bool all = false;       ///< of the first ones, as what is near would be too many
-    std::uint32_t end = 0;  ///< of these
-    std::vector<std::uint32_t> groups;
-    BoxIndex index;  ///< of their boxes
-    bool is_empty() const { return !all && groups.empty(); }
-  };
-  /// Those of the first `groups` to which anything in a box may be near.
-  Selection near(const Box& box, std::uint32_t groups) const;
-
-  /// Calls visit(place) for all in some groups, and before a place, that are not certainly beside a
-  /// triangle with this box, until it returns false. Did it never? False also if that would take
-  /// too many groups.
+  /// Calls visit(group) for those of the first `groups` whose boxes overlap one, until it returns
+  /// false. Did it never?
   template <class Visit>
-  bool near(const Selection& some, const PlacedTriangle& triangle, const Box& box,
-            std::uint32_t end, const Visit& visit) const {
-    std::uint32_t count = 0;
-    const auto visit_group = [&](std::uint32_t g) {
-      return ++count <= most_groups && near_of(g, triangle, box, end, visit);
-    };
-    if (some.all) return index_.overlapping(box, some.end, visit_group);
-    return some.index.overlapping(box,
-                                  [&](std::uint32_t i) { return visit_group(some.groups[i]); });
+  bool overlapping(const Box& box, std::uint32_t groups, const Visit& visit) const {
+    return index_.overlapping(box, groups, visit);
   }
+  bool any_overlaps(const Box& box) const { return index_.any_overlaps(box); }
 
-  /// In the boxes of so many groups one triangle may be.
-  static constexpr std::uint32_t most_groups = 8192;
+  /// Calls visit(place) for all of a group that are not certainly beside a triangle with this box,
+  /// until it returns false. Did it never?
+  template <class Visit>
+  bool near(std::uint32_t group, const PlacedTriangle& triangle, const Box& box,
+            const Visit& visit) const {
+    if (slabs_[group].always_clear_of(triangle)) return true;
+    return for_places(group, overlapping(group, box, all_of(group)), visit);
+  }
+  /// The same for all pairs of places, one in each of two groups or both in one, that are not
+  /// certainly beside each other.
+  template <class Visit>
+  bool near_pairs(std::uint32_t group, std::uint32_t other, const Visit& visit) const;
 
  private:
+  using Members = std::uint32_t;  // a bit for each of those in a group
+
+  void gather(const std::function<PlacedTriangle(std::uint32_t)>& triangle,
+              const std::vector<std::uint32_t>& ends);
+  void look_at(std::uint32_t group, const std::function<PlacedTriangle(std::uint32_t)>& triangle,
+               double slack, double extent);
+  Members all_of(std::uint32_t group) const {
+    return ~Members(0) >> (32 - (first_[group + 1] - first_[group]));
+  }
+  Members beside(std::uint32_t group, const Slab& slab, Members among) const;
+  Members overlapping(std::uint32_t group, const Box& box, Members among) const;
+  const Box box_of(std::uint32_t group, std::uint32_t member) const {
+    return fours_[first_four_[group] + member / 4].get(member % 4);
+  }
   template <class Visit>
-  bool near_of(std::uint32_t group, const PlacedTriangle& triangle, const Box& box,
-               std::uint32_t end, const Visit& visit) const;
+  bool for_places(std::uint32_t group, Members members, const Visit& visit) const {
+    for (; members != 0; members &= members - 1)
+      if (!visit(first_[group] + static_cast<std::uint32_t>(std::countr_zero(members))))
+        return false;
+    return true;
+  }
 
   std::vector<ViewedTriangle> triangles_;
-  std::vector<std::uint32_t> chosen_;              // per triangle
+  std::vector<std::uint32_t> number_;              // per triangle
   std::vector<std::uint32_t> first_, first_four_;  // per group, and the end
   std::vector<FourBoxes> fours_;                   // of triangles of one group
   std::vector<Slab> slabs_;                        // per group
   std::vector<Box> boxes_;                         // per group
-  BoxIndex index_;                                 // of the groups, which are along a curve
+  BoxIndex index_;                                 // of the groups
 };
 
+inline FlatGroups::Members FlatGroups::overlapping(std::uint32_t group, const Box& box,
+                                                   Members among) const {
+  Members found = 0;
+  unsigned shift = 0;
+  for (std::uint32_t four = first_four_[group]; four < first_four_[group + 1]; ++four, shift += 4)
+    found |= Members(fours_[four].overlapping(box)) << shift;
+  return found & among;
+}
+
 template <class Visit>
-bool FlatGroups::near_of(std::uint32_t group, const PlacedTriangle& triangle, const Box& box,
-                         std::uint32_t end, const Visit& visit) const {
-  std::uint32_t first = first_[group];
-  if (first >= end || slabs_[group].always_clear_of(triangle)) return true;
-  if (first + 1 == first_[group + 1]) return visit(first);  // its box is the group's
-  for (std::uint32_t four = first_four_[group]; four < first_four_[group + 1]; ++four, first += 4)
-    for (unsigned hit = fours_[four].overlapping(box); hit != 0; hit &= hit - 1) {
-      const std::uint32_t place = first + static_cast<std::uint32_t>(std::countr_zero(hit));
-      if (place >= end) return true;
-      if (!visit(place)) return false;
-    }
+bool FlatGroups::near_pairs(std::uint32_t group, std::uint32_t other, const Visit& visit) const {
+  Members own = all_of(group), others = own;
+  if (group != other) {
+    own = overlapping(group, boxes_[other], own);
+    others = overlapping(other, boxes_[group], all_of(other));
+    if (own == 0 || others == 0) return true;
+    own &= ~beside(group, slabs_[other], own);
+    if (own == 0) return true;
+    others &= ~beside(other, slabs_[group], others);
+    if (others == 0) return true;
+  }
+  for (; own != 0; own &= own - 1) {
+    const auto i = static_cast<std::uint32_t>(std::countr_zero(own));
+    const Members before = group == other ? (Members(1) << i) - 1 : others;
+    const auto with_own = [&](std::uint32_t place) { return visit(first_[group] + i, place); };
+    if (before != 0 && !for_places(other, overlapping(other, box_of(group, i), before), with_own))
+      return false;
+  }
   return true;
 }
 

@@ -71,10 +71,10 @@ RoundedTriangles::RoundedTriangles(const SolidData& data, BlockTriangles triangl
                                    const RoundingGrid& grid)
     : data_(data),
       triangles_(std::move(triangles)),
-      positions_(triangles_.vertex_count),
-      moved_at_(triangles_.vertex_count, none),
       bounds_(data.slots().size()),
       has_unsettled_(data.slots().size(), 0) {
+  parallel::invoke([&] { positions_.resize(triangles_.vertex_count); },
+                   [&] { moved_at_.assign(triangles_.vertex_count, none); });
   round(grid);
 }
 
@@ -157,22 +157,6 @@ std::size_t RoundedTriangles::slot_of(std::uint32_t t) const {
   const auto& first = triangles_.first_triangle;
   return static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), t) - first.begin()) -
          1;
-}
-
-// Those that are wanted, in slots that are.
-template <class SlotWanted, class Wanted>
-RoundedTriangles::Triangles RoundedTriangles::select(const SlotWanted& slot_wanted,
-                                                     const Wanted& wanted) const {
-  std::vector<Triangles> found(bounds_.size());
-  parallel::loop(0, bounds_.size(), [&](std::size_t s) {
-    if (!slot_wanted(s)) return;
-    const std::uint32_t end = triangles_.first_triangle[s + 1];
-    for (std::uint32_t t = triangles_.first_triangle[s]; t < end; ++t)
-      if (!is_gone(t) && wanted(t)) found[s].push_back(t);
-  });
-  Triangles all;
-  for (const Triangles& some : found) all.insert(all.end(), some.begin(), some.end());
-  return all;
 }
 
 RoundedTriangles::Triangles RoundedTriangles::unsettled() const {

@@ -6,8 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "parallel/parallel.h"
 #include "rounding/rounded_surface.h"
-#include "search/box.h"
+#include "search/box_index.h"
 #include "storage/block_triangles.h"
 #include "storage/element_counts.h"
 
@@ -63,6 +64,15 @@ class RoundedTriangles {
   const Box& bounds(std::size_t slot) const { return bounds_[slot]; }
   Box box(std::uint32_t t) const;
 
+  /// Those with a corner of which `wanted` is true, which only is of corners in some boxes.
+  template <class Wanted>
+  Triangles with_any(const BoxIndex& boxes, const Wanted& wanted) const {
+    return select([&](std::size_t s) { return boxes.any_overlaps(bounds_[s]); },
+                  [&](std::uint32_t t) {
+                    const Corners c = corners(t);
+                    return wanted(c[0]) || wanted(c[1]) || wanted(c[2]);
+                  });
+  }
   /// Those with a corner that is not at its place, or changed since.
   Triangles unsettled() const;
   bool is_unsettled(std::uint32_t t) const;
@@ -126,5 +136,21 @@ class RoundedTriangles {
   std::vector<Box> bounds_;               // per slot
   std::vector<std::uint8_t> has_unsettled_;  // per slot: may it have some?
 };
+
+// Those that are wanted, in slots that are.
+template <class SlotWanted, class Wanted>
+RoundedTriangles::Triangles RoundedTriangles::select(const SlotWanted& slot_wanted,
+                                                     const Wanted& wanted) const {
+  std::vector<Triangles> found(bounds_.size());
+  parallel::loop(0, bounds_.size(), [&](std::size_t s) {
+    if (!slot_wanted(s)) return;
+    const std::uint32_t end = triangles_.first_triangle[s + 1];
+    for (std::uint32_t t = triangles_.first_triangle[s]; t < end; ++t)
+      if (!is_gone(t) && wanted(t)) found[s].push_back(t);
+  });
+  Triangles all;
+  for (const Triangles& some : found) all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
 
 }  // namespace sectile

@@ -1,10 +1,13 @@
 #include "rounding/unclear_triangles.h"
 
 #include <algorithm>
-#include <optional>
+#include <array>
+#include <bit>
+#include <utility>
 
 #include "parallel/parallel.h"
 #include "parallel/scratch.h"
+#include "rounding/clear_stars.h"
 #include "rounding/flat_groups.h"
 
 namespace sectile {
@@ -13,6 +16,7 @@ namespace {
 // Of very many triangles, as around hubs, in faces of many corners and where all is long and thin,
 // boxes overlap. The exact test has its own ways then: it gets what meets more than these.
 constexpr int most_pairs = 1024;
+constexpr std::uint32_t most_groups = 8192;
 
 class Finder {
   using Triangles = RoundedTriangles::Triangles;
@@ -22,7 +26,8 @@ class Finder {
       : mesh_(mesh), steps_(steps), slack_(mesh.farthest_move()), unsettled_(mesh.unsettled()) {}
 
   UnclearTriangles run() {
-    look_at();
+    parallel::invoke([&] { look_at(); },
+                     [&] { clear_stars_ = clear_stars(mesh_, unsettled_, slack_); });
     if (moved_.size() > 0) {
       meet_each_other();
       meet_others();
@@ -39,32 +44,19 @@ class Finder {
  private:
   // Those without area are unclear, also among those that did not move.
   void look_at() {
-    std::vector<ViewedTriangle> viewed(unsettled_.size());
-    std::vector<Box> boxes(unsettled_.size());
-    parallel::loop(parallel::Range<std::size_t>(0, viewed.size(), 1024), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-        viewed[i] = ViewedTriangle(placed(unsettled_[i]), slack_);
-        boxes[i] = box_around(viewed[i].placed, 2 * slack_);
-      }
-    });
     // The pieces of a face come one after another.
-    std::vector<std::uint32_t> clear, ends;
-    for (std::uint32_t i = 0; i < viewed.size(); ++i) {
-      if (!viewed[i].view.clear()) {
-        give_up({unsettled_[i]});
-        continue;
-      }
-      if (!clear.empty() && mesh_.source(unsettled_[clear.back()]) != mesh_.source(unsettled_[i]))
-        ends.push_back(static_cast<std::uint32_t>(clear.size()));
-      clear.push_back(i);
-    }
+    std::vector<std::uint32_t> ends;
+    for (std::uint32_t i = 1; i < unsettled_.size(); ++i)
+      if (mesh_.source(unsettled_[i]) != mesh_.source(unsettled_[i - 1])) ends.push_back(i);
+    if (!unsettled_.empty()) ends.push_back(static_cast<std::uint32_t>(unsettled_.size()));
+    moved_ =
+        FlatGroups([&](std::uint32_t i) { return placed(unsettled_[i]); }, ends, slack_, extent());
+    for (std::uint32_t place = 0; place < moved_.size(); ++place)
+      if (!moved_.triangle(place).view.clear()) give_up({number(place)});
     for (const std::uint32_t t : mesh_.cut())
       if (!mesh_.is_unsettled(t) && !ViewedTriangle(placed(t), 0).view.clear()) give_up({t});
-    if (clear.empty()) return;
-    ends.push_back(static_cast<std::uint32_t>(clear.size()));
-    moved_ = FlatGroups(viewed, boxes, std::move(clear), ends, slack_, extent());
   }
-  std::uint32_t number(std::uint32_t place) const { return unsettled_[moved_.chosen(place)]; }
+  std::uint32_t number(std::uint32_t place) const { return unsettled_[moved_.number(place)]; }
 
   // No two coordinates are farther apart.
   double extent() const {
@@ -79,64 +71,151 @@ class Finder {
       all->insert(all->end(), triangles.begin(), triangles.end());
   }
 
-  // Groups along the curve, some at one go.
   void meet_each_other() {
     constexpr std::uint32_t some = 32;
     parallel::loop(0, (moved_.count() + some - 1) / some, [&](std::size_t part) {
       steps_.check();
-      const auto first = static_cast<std::uint32_t>(part) * some,
-                 end = std::min(first + some, moved_.count());
-      Box all;
-      for (std::uint32_t g = first; g < end; ++g) all.add(moved_.box(g));
-      const FlatGroups::Selection near = moved_.near(all, end);
       found_.lend([&](UnclearTriangles& found) {
-        for (std::uint32_t j = moved_.first(first); j < moved_.first(end); ++j) {
-          const ViewedTriangle& t = moved_.triangle(j);
-          const auto view = [&]() -> const ViewedTriangle& { return t; };
-          meet_moved(number(j), t.placed, view, near, j, found);
-        }
+        const auto first = static_cast<std::uint32_t>(part) * some;
+        for (std::uint32_t g = first; g < std::min(first + some, moved_.count()); ++g)
+          meet_before(g, found);
       });
     });
+  }
+
+  // A group with itself and with those before it.
+  void meet_before(std::uint32_t g, UnclearTriangles& found) const {
+    const std::uint32_t first = moved_.first(g), end = moved_.first(g + 1);
+    std::uint32_t groups = 0, pairs = 0, last = none;
+    ClearCorners clear;
+    const bool few = moved_.overlapping(moved_.box(g), g + 1, [&](std::uint32_t h) {
+      return ++groups <= most_groups &&
+             moved_.near_pairs(g, h, [&](std::uint32_t i, std::uint32_t j) {
+               if (++pairs > std::uint32_t(most_pairs) * (end - first)) return false;
+               const ViewedTriangle &s = moved_.triangle(i), &t = moved_.triangle(j);
+               if (std::exchange(last, i) != i) clear = clear_corners(s.placed);
+               if (!clear.any_of(t.placed) && !clearly_meet_in_corners(s, t, slack_))
+                 found.all.insert(found.all.end(), {number(i), number(j)});
+               return true;
+             });
+    });
+    if (few) return;
+    for (std::uint32_t i = first; i < end; ++i) found.not_looked_at.push_back(number(i));
   }
 
   void meet_others() {
     parallel::loop(0, mesh_.slot_count(), [&](std::size_t s) {
       steps_.check();
-      const FlatGroups::Selection near = moved_.near(mesh_.bounds(s), moved_.count());
-      if (!near.is_empty()) meet_slot(s, near);
+      if (!moved_.any_overlaps(mesh_.bounds(s))) return;
+      found_.lend([&](UnclearTriangles& found) { meet_slot(s, found); });
     });
   }
 
-  // Those of the slot that did not move against those that did.
-  void meet_slot(std::size_t s, const FlatGroups::Selection& near) {
-    found_.lend([&](UnclearTriangles& found) {
-      const auto [first, end] = mesh_.triangles(s);
-      for (std::uint32_t t = first; t < end; ++t) {
-        if (mesh_.is_unsettled(t)) continue;
-        const PlacedTriangle at = placed(t);
-        std::optional<ViewedTriangle> viewed;  // as soon as anything is near
-        const auto view = [&]() -> const ViewedTriangle& {
-          return viewed ? *viewed : viewed.emplace(at, slack_);
-        };
-        meet_moved(t, at, view, near, moved_.size(), found);
+  // Those of the slot that did not move against those that did, some at one go.
+  void meet_slot(std::size_t s, UnclearTriangles& found) const {
+    Few few;
+    const auto [first, end] = mesh_.triangles(s);
+    for (std::uint32_t t = first; t < end; ++t) {
+      if (mesh_.is_unsettled(t)) continue;
+      few.number[few.count++] = t;
+      for (const std::uint32_t v : mesh_.corners(t)) few.bounds.add(mesh_.positions()[v]);
+      if (few.count < Few::most) continue;
+      meet_moved(few, found);
+      few.count = 0;
+      few.bounds = Bounds();
+    }
+    if (few.count > 0) meet_moved(few, found);
+  }
+
+  // One that is not beside the plane of another one: this may be beside its own.
+  bool clearly_meet(const ViewedTriangle& t, const ViewedTriangle& other) const {
+    return t.view.clear() ? clearly_meet_in_corners(t, other, slack_)
+                          : clearly_meet_in_corners(other, t, slack_);
+  }
+
+  // Of a triangle, those at which all is clear.
+  struct ClearCorners {
+    std::array<std::uint32_t, 3> vertex;
+    bool any_of(const PlacedTriangle& other) const {
+      bool any = false;
+      for (const std::uint32_t v : vertex)
+        for (const std::uint32_t w : other.vertex) any |= v == w;
+      return any;
+    }
+  };
+
+  // Triangles that come one after another.
+  struct Few {
+    static constexpr unsigned most = 8;
+    std::array<std::uint32_t, most> number;
+    unsigned count = 0;
+    Bounds bounds;
+    // Once anything is near them all.
+    std::array<PlacedTriangle, most> placed;
+    std::array<Box, most> box;
+    std::array<ClearCorners, most> clear_corners;
+    std::array<int, most> pairs;
+    EightBoxes boxes;
+    // Of those whose bit is set: once anything is near them.
+    std::array<ViewedTriangle, most> viewed;
+    unsigned is_viewed;
+
+    const ViewedTriangle& view(unsigned i, double slack) {
+      if ((is_viewed >> i & 1) == 0) viewed[i] = ViewedTriangle(placed[i], slack);
+      is_viewed |= 1u << i;
+      return viewed[i];
+    }
+  };
+
+  void look_at(Few& few) const {
+    few.boxes = EightBoxes();
+    few.pairs = {};
+    few.is_viewed = 0;
+    for (unsigned i = 0; i < few.count; ++i) {
+      few.placed[i] = placed(few.number[i]);
+      few.box[i] = box_around(few.placed[i], 0);
+      few.boxes.set(i, few.box[i]);
+      few.clear_corners[i] = clear_corners(few.placed[i]);
+    }
+  }
+
+  void meet_moved(Few& few, UnclearTriangles& found) const {
+    std::uint32_t groups = 0;
+    unsigned left = 0;
+    bool looked = false;
+    const Box all = few.bounds.box();
+    moved_.overlapping(all, moved_.count(), [&](std::uint32_t g) {
+      if (moved_.slab(g).always_clear_of(all)) return true;
+      if (!std::exchange(looked, true)) {
+        look_at(few);
+        left = ~0u >> (32 - few.count);
       }
+      for (unsigned hit = few.boxes.overlapping(moved_.box(g)) & left; hit != 0; hit &= hit - 1) {
+        const auto i = static_cast<unsigned>(std::countr_zero(hit));
+        if (groups++ < most_groups && meet_group(few, i, g, found)) continue;
+        left &= ~(1u << i);
+        found.not_looked_at.push_back(few.number[i]);
+      }
+      return left != 0;
     });
   }
 
-  // A triangle with those that moved and come before `end`.
-  template <class View>
-  void meet_moved(std::uint32_t t, const PlacedTriangle& at, const View& view,
-                  const FlatGroups::Selection& near, std::uint32_t end,
-                  UnclearTriangles& found) const {
-    int pairs = 0;
-    const bool few = moved_.near(near, at, box_around(at, 0), end, [&](std::uint32_t place) {
-      if (++pairs > most_pairs) return false;
-      if (clearly_meet_in_corners(moved_.triangle(place), view(), slack_)) return true;
-      found.all.push_back(number(place));
-      found.all.push_back(t);
+  // False if it would be too many.
+  bool meet_group(Few& few, unsigned i, std::uint32_t g, UnclearTriangles& found) const {
+    return moved_.near(g, few.placed[i], few.box[i], [&](std::uint32_t place) {
+      if (++few.pairs[i] > most_pairs) return false;
+      const ViewedTriangle& s = moved_.triangle(place);
+      if (!few.clear_corners[i].any_of(s.placed) && !clearly_meet(few.view(i, slack_), s))
+        found.all.insert(found.all.end(), {number(place), few.number[i]});
       return true;
     });
-    if (!few) found.not_looked_at.push_back(t);
+  }
+
+  ClearCorners clear_corners(const PlacedTriangle& t) const {
+    ClearCorners clear;
+    for (std::size_t k = 0; k < 3; ++k)
+      clear.vertex[k] = clear_stars_[t.vertex[k]] != 0 ? t.vertex[k] : none;
+    return clear;
   }
 
   static void sort(Triangles& triangles) {
@@ -149,11 +228,13 @@ class Finder {
     const std::vector<Vec3>& at = mesh_.positions();
     return {c, {at[c[0]], at[c[1]], at[c[2]]}};
   }
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
   const RoundedTriangles& mesh_;
   const RoundingSteps& steps_;
   const double slack_;
   const Triangles unsettled_;
-  FlatGroups moved_;  // those of them that are looked at here
+  FlatGroups moved_;                       // those of them that are looked at here
+  std::vector<std::uint8_t> clear_stars_;  // per vertex
   parallel::Scratch<UnclearTriangles> found_;
   UnclearTriangles result_;
 };
