@@ -100,7 +100,7 @@ class FlatGroups {
   }
   Members beside(std::uint32_t group, const Slab& slab, Members among) const;
   Members overlapping(std::uint32_t group, const Box& box, Members among) const;
-  const Box box_of(std::uint32_t group, std::uint32_t member) const {
+  Box box_of(std::uint32_t group, std::uint32_t member) const {
     return fours_[first_four_[group] + member / 4].get(member % 4);
   }
   template <class Visit>
