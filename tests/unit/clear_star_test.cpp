@@ -101,7 +101,7 @@ TEST(ClearStar, ItsTrianglesMeetInCommonCornersOnly) {
       int told = 0;
       for (int i = 0; i < 4000; ++i) {
         const Star star = stars.any(count, size);
-        for (const double scale : {1.0, 0x1p-40, 0x1p300, 0x1p-400}) {
+        for (const double scale : {1.0, 0x1p-40, 0x1p300, 0x1p-400, 0x1p-541}) {
           if (!is_told(star, 0, scale)) continue;
           ++told;
           ASSERT_TRUE(is_legal(star)) << "size " << size << ", " << count << " corners, star " << i;
