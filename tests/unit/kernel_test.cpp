@@ -139,6 +139,28 @@ TEST(Kernel, TurnSeenAlongAnAxis) {
   });
 }
 
+// Whatever is asked about the others, too.
+TEST(Kernel, OfSomePlanesDecidesTheSame) {
+  in_many_scenes([](Scene& s) {
+    const std::array<PlaneId, 2> some{PlaneId(s.any_plane()), PlaneId(s.any_plane())};
+    const Kernel kernel(s.geometry, some);
+    const std::size_t p = s.any_point(), q = s.any_point(), r = s.any_point();
+    const PlaneId a(s.any_plane()), b(s.any_plane()), c(s.any_plane());
+    ASSERT_EQ(kernel.side(PointId(p), a), s.kernel->side(PointId(p), a));
+    ASSERT_EQ(kernel.det(a, b, c), s.kernel->det(a, b, c));
+    ASSERT_EQ(kernel.coplanar(a, b), s.kernel->coplanar(a, b));
+    ASSERT_EQ(kernel.cross_axis(a, b) < 0, s.kernel->cross_axis(a, b) < 0);
+    ASSERT_NE(kernel.normal(a, kernel.main_axis(a)), Sign::zero);
+    for (int k = 0; k < 3; ++k) {
+      ASSERT_EQ(kernel.normal(a, k), s.kernel->normal(a, k));
+      ASSERT_EQ(kernel.compare(PointId(p), PointId(q), k),
+                s.kernel->compare(PointId(p), PointId(q), k));
+      ASSERT_EQ(kernel.turn(PointId(p), PointId(q), PointId(r), k),
+                s.kernel->turn(PointId(p), PointId(q), PointId(r), k));
+    }
+  });
+}
+
 struct Crossing {
   PointId u, v;  // on different sides of the plane
   Probe probe;
