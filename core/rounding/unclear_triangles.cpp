@@ -181,23 +181,25 @@ class Finder {
 
   void meet_moved(Few& few, UnclearTriangles& found) const {
     std::uint32_t groups = 0;
-    unsigned left = 0;
+    unsigned left = ~0u >> (32 - few.count);
     bool looked = false;
+    const auto leave = [&](unsigned i) {
+      left &= ~(1u << i);
+      found.not_looked_at.push_back(few.number[i]);
+    };
     const Box all = few.bounds.box();
-    moved_.overlapping(all, moved_.count(), [&](std::uint32_t g) {
+    const bool not_many = moved_.overlapping(all, moved_.count(), [&](std::uint32_t g) {
+      if (++groups > most_groups) return false;
       if (moved_.slab(g).always_clear_of(all)) return true;
-      if (!std::exchange(looked, true)) {
-        look_at(few);
-        left = ~0u >> (32 - few.count);
-      }
+      if (!std::exchange(looked, true)) look_at(few);
       for (unsigned hit = few.boxes.overlapping(moved_.box(g)) & left; hit != 0; hit &= hit - 1) {
         const auto i = static_cast<unsigned>(std::countr_zero(hit));
-        if (groups++ < most_groups && meet_group(few, i, g, found)) continue;
-        left &= ~(1u << i);
-        found.not_looked_at.push_back(few.number[i]);
+        if (!meet_group(few, i, g, found)) leave(i);
       }
-      return left != 0;
+      return true;
     });
+    if (!not_many)
+      while (left != 0) leave(static_cast<unsigned>(std::countr_zero(left)));
   }
 
   // False if it would be too many.
