@@ -20,7 +20,7 @@ class Facing {
   Facing() = default;
   explicit Facing(const PlaneWithSlack& plane);
 
-  /// The normal in doubles. Its largest coordinate is 1.
+  /// The normal in doubles, of length 1; zero if nothing is certain.
   const Direction& normal() const { return normal_; }
   /// Did they certainly always turn left as seen from there? `reach`: the largest coordinate.
   bool certainly(const Direction& from, double reach) const {

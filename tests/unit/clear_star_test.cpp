@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -56,14 +55,9 @@ bool is_legal(const Star& star) {
   return true;
 }
 
-class Stars {
+class Stars : RandomPoints {
  public:
-  explicit Stars(std::uint64_t seed) : random_(seed) {}
-
-  std::int64_t number(std::int64_t size) {
-    return std::uniform_int_distribution<std::int64_t>(-size, size)(random_);
-  }
-  Point point(std::int64_t size) { return {number(size), number(size), number(size)}; }
+  using RandomPoints::RandomPoints;
 
   Star any(std::size_t count, std::int64_t size) {
     Star star{point(size / 4), {}};
@@ -89,9 +83,6 @@ class Stars {
     for (Point& p : star.ring) move(p);
     return star;
   }
-
- private:
-  std::mt19937_64 random_;
 };
 
 TEST(ClearStar, ItsTrianglesMeetInCommonCornersOnly) {

@@ -12,11 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "lattice_triangles.h"
+
 namespace sectile {
 namespace {
 
-using Point = std::array<std::int64_t, 3>;
-using Corners = std::array<Point, 3>;
+using namespace lattice;
 
 Point minus(const Point& a, const Point& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -115,13 +116,10 @@ std::vector<Pair> near_pairs(const FlatGroups& groups) {
   return found;
 }
 
-class Lattice {
+class Lattice : public RandomPoints {
  public:
-  explicit Lattice(std::uint64_t seed) : random_(seed) {}
-  std::int64_t number(std::int64_t size) {
-    return std::uniform_int_distribution<std::int64_t>(-size, size)(random_);
-  }
-  Point point(std::int64_t size) { return {number(size), number(size), number(size)}; }
+  using RandomPoints::RandomPoints;
+
   Corners triangle(std::int64_t size) {
     for (;;)
       if (const Corners t{point(size), point(size), point(size)}; has_area(t)) return t;
@@ -135,9 +133,6 @@ class Lattice {
     for (;;)
       if (const Corners t{at(), at(), at()}; has_area(t)) return t;
   }
-
- private:
-  std::mt19937_64 random_;
 };
 
 // Faces of many triangles in planes aslant, and some that are alone.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <random>
 
 namespace sectile::lattice {
 
@@ -73,5 +74,19 @@ inline bool meet_in_more(const Corners& s, const Corners& t) {
     if (meets(s[i], s[(i + 1) % 3], t) || meets(t[i], t[(i + 1) % 3], s)) return true;
   return false;
 }
+
+class RandomPoints {
+ public:
+  explicit RandomPoints(std::uint64_t seed) : random_(seed) {}
+
+  /// From -size to size.
+  std::int64_t number(std::int64_t size) {
+    return std::uniform_int_distribution<std::int64_t>(-size, size)(random_);
+  }
+  Point point(std::int64_t size) { return {number(size), number(size), number(size)}; }
+
+ private:
+  std::mt19937_64 random_;
+};
 
 }  // namespace sectile::lattice
