@@ -183,6 +183,14 @@ TriangleView clear_view(const PlacedTriangle& triangle, const std::array<double,
 
 }  // namespace
 
+Box box_around(const PlacedTriangle& triangle, double wider) {
+  Bounds bounds;
+  for (const Vec3& p : triangle.at) bounds.add(p);
+  bounds.low = {bounds.low.x - wider, bounds.low.y - wider, bounds.low.z - wider};
+  bounds.high = {bounds.high.x + wider, bounds.high.y + wider, bounds.high.z + wider};
+  return bounds.box();
+}
+
 // The volume is a sum of six products of three differences. Each was off by two slacks at the most.
 // The roundings are those of NormalOfThree::clear_side, less than nine.
 PlaneWithSlack::PlaneWithSlack(const Vec3& a, const Vec3& b, const Vec3& c, double slack)

@@ -9,6 +9,7 @@
 
 #include "geometry/four_points.h"
 #include "numbers/sign.h"
+#include "search/box.h"
 #include "sectile/mesh.h"
 
 namespace sectile {
@@ -18,6 +19,9 @@ struct PlacedTriangle {
   std::array<std::uint32_t, 3> vertex;
   std::array<Vec3, 3> at;
 };
+
+/// With so much more on all sides.
+Box box_around(const PlacedTriangle& triangle, double wider);
 
 /// The plane of a triangle whose corners were up to `slack` away in each coordinate, as were all
 /// points that it is asked about.

@@ -56,8 +56,10 @@ class Stars {
     std::vector<Box> boxes((of.size() + some - 1) / some);
     parallel::loop(parallel::Range<std::size_t>(0, boxes.size(), 32), [&](const auto& range) {
       for (std::size_t i = range.begin(); i < range.end(); ++i)
-        for (std::size_t k = some * i; k < std::min(of.size(), some * (i + 1)); ++k)
-          boxes[i].add(mesh_.box(of[k]));
+        for (std::size_t k = some * i; k < std::min(of.size(), some * (i + 1)); ++k) {
+          const RoundedTriangles::Corners c = mesh_.corners(of[k]);
+          boxes[i].add(box_around({c, {at_[c[0]], at_[c[1]], at_[c[2]]}}, 2 * slack_));
+        }
     });
     triangles_ =
         mesh_.with_any(BoxIndex(boxes, true), [&](std::uint32_t v) { return number_[v] != none; });

@@ -19,14 +19,6 @@ double size_of(const std::array<double, 3>& n) {
 
 }  // namespace
 
-Box box_around(const PlacedTriangle& triangle, double wider) {
-  Bounds bounds;
-  for (const Vec3& p : triangle.at) bounds.add(p);
-  bounds.low = {bounds.low.x - wider, bounds.low.y - wider, bounds.low.z - wider};
-  bounds.high = {bounds.high.x + wider, bounds.high.y + wider, bounds.high.z + wider};
-  return bounds.box();
-}
-
 // Any normal is right; that of the largest triangle is nearest to those of the others.
 Slab::Slab(std::span<const ViewedTriangle> triangles, double slack, double extent) {
   const auto largest = std::max_element(

@@ -17,9 +17,6 @@
 
 namespace sectile {
 
-/// With so much more on all sides.
-Box box_around(const PlacedTriangle& triangle, double wider);
-
 /// What is between two parallel planes. Everything, unless told otherwise.
 class Slab {
  public:
