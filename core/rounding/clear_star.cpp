@@ -51,9 +51,8 @@ bool go_around_once(const Vec3& vertex, std::span<const StarTriangle> triangles,
 
 bool are_all_seen(std::span<const StarTriangle> triangles, const Direction& from) {
   const double reach = reach_of(from);
-  return std::all_of(triangles.begin(), triangles.end(), [&](const StarTriangle& t) {
-    return t.facing.certainly(from, reach);
-  });
+  return std::all_of(triangles.begin(), triangles.end(),
+                     [&](const StarTriangle& t) { return t.facing.certainly(from, reach); });
 }
 
 Direction least_seen(std::span<const StarTriangle> triangles, const Direction& from) {
