@@ -10,6 +10,7 @@
 
 #include "geometry/face_predicates.h"
 #include "geometry/triangulation.h"
+#include "import/faces_along_x.h"
 #include "import/shell_boxes.h"
 #include "search/face_tree.h"
 #include "sectile/errors.h"
@@ -17,47 +18,36 @@
 namespace sectile {
 namespace {
 
-// Faces that a line may meet.
-struct FacesInTree {
-  std::vector<FaceId> faces;
-  BoxTree tree;  ///< over them
-
-  FacesInTree(const SolidData& data, std::vector<FaceId> some) : faces(std::move(some)) {
-    std::vector<Box> boxes;
-    boxes.reserve(faces.size());
-    for (const FaceId f : faces) boxes.push_back(face_box(data.brep(), data.geometry(), f));
-    tree = BoxTree(boxes);
-  }
-};
-
-// A line along the x axis through a point within a face. The points are those of a parabola in a
-// triangle: a line of the projection along x contains at most two of them, so there is always one
-// that lies beside all edges. `counts` tells which of the other faces are looked at.
+// A line along the x axis through a point within a face, near to its farthest corner. The points
+// are those of a parabola in a triangle: a line of the projection along x contains at most two of
+// them, so there is always one that lies beside all edges. `counts` tells which of the other faces
+// are looked at.
 template <class Counts>
 class LineThroughFace {
  public:
-  LineThroughFace(const SolidData& data, const Kernel& kernel, const FacesInTree& others,
+  LineThroughFace(const SolidData& data, const Kernel& kernel, const FacesAlongX& others,
                   FaceId face, const Counts& counts)
       : data_(data),
         kernel_(kernel),
         others_(others),
         face_(face),
         counts_(counts),
-        triangle_(first_triangle()) {}
+        triangle_(farthest_triangle()) {}
 
   /// The faces on the line beyond this one, along the x axis, up to one of which something is known
   /// already.
   template <class IsKnown>
   std::vector<FaceId> faces_beyond(const IsKnown& is_known) {
-    for (int halvings = 1;; ++halvings)
-      for (int odd = 1; odd < 1 << halvings; odd += 2) {
-        choose_point(odd, 1 << halvings);
+    for (int n = 1024;; n *= 2)
+      for (int odd = n - 1; odd > n / 2; odd -= 2) {
+        choose_point(odd, n);
         if (auto faces = follow(is_known)) return *std::move(faces);
       }
   }
 
  private:
-  std::array<PointId, 3> first_triangle() const {
+  // With the farthest corner last.
+  std::array<PointId, 3> farthest_triangle() const {
     std::vector<PointId> corners;
     std::vector<std::uint32_t> loop_ends;
     const Brep& brep = data_.brep();
@@ -72,8 +62,16 @@ class LineThroughFace {
                                corners);
     std::vector<std::array<std::uint32_t, 3>> triangles;
     triangulate(exact, std::span<const std::uint32_t>(loop_ends), triangles);
-    const auto& t = triangles.front();
-    return {corners[t[0]], corners[t[1]], corners[t[2]]};
+    const auto x = [&](std::uint32_t c) { return data_.geometry().position(corners[c]).x; };
+    std::array<std::uint32_t, 3> farthest = triangles.front();
+    for (std::array<std::uint32_t, 3> t : triangles) {
+      std::rotate(
+          t.begin(),
+          std::max_element(t.begin(), t.end(), [&](auto c, auto d) { return x(c) < x(d); }) + 1,
+          t.end());
+      if (x(t[2]) >= x(farthest[2])) farthest = t;
+    }
+    return {corners[farthest[0]], corners[farthest[1]], corners[farthest[2]]};
   }
 
   // The parabola's point at the parameter k / n, with the weight n².
@@ -93,10 +91,10 @@ class LineThroughFace {
     }
     const double y = nearest_quotient(point_.x[1], point_.w),
                  z = nearest_quotient(point_.x[2], point_.w);
-    low_y_ = below(y);
-    high_y_ = above(y);
-    low_z_ = below(z);
-    high_z_ = above(z);
+    line_.low_y = below(y);
+    line_.high_y = above(y);
+    line_.low_z = below(z);
+    line_.high_z = above(z);
   }
 
   // The faces on the line, from the first one on along the x axis, up to one of a shell that is
@@ -134,17 +132,16 @@ class LineThroughFace {
   // The first face beyond `from`, which is at at_, and goes there; an invalid id behind the last
   // one. Nothing if the line meets an edge on its way, or two faces at one place.
   std::optional<FaceId> next_after(FaceId from) {
-    double end = std::numeric_limits<double>::infinity();
     FaceId next;
     Place place;
-    const auto reaches = [&](const Box& b) { return b.low[0] <= end; };
-    const bool is_clear = for_each_beyond(from, reaches, [&](FaceId f, Place&& here) {
+    StretchAlongX stretch = beyond_here();
+    const bool is_clear = for_each_beyond(from, stretch, [&](FaceId f, Place&& here) {
       const Sign order = next.valid() ? here.compare(place) : Sign::positive;
       if (order == Sign::zero) refuse_if_flush(next, f);
       if (order == Sign::positive) {
         next = f;
         place = std::move(here);
-        end = above(place.nearest());
+        stretch.end = above(place.nearest());
       }
       return order != Sign::zero;
     });
@@ -160,8 +157,8 @@ class LineThroughFace {
       Place place;
     };
     std::vector<Met> all;
-    const auto reaches = [](const Box&) { return true; };
-    const bool is_clear = for_each_beyond(from, reaches, [&](FaceId f, Place&& here) {
+    StretchAlongX stretch = beyond_here();
+    const bool is_clear = for_each_beyond(from, stretch, [&](FaceId f, Place&& here) {
       all.push_back({f, std::move(here)});
       return true;
     });
@@ -180,32 +177,33 @@ class LineThroughFace {
     return faces;
   }
 
-  // Calls visit(face, place) for the faces beyond `from`, which is at at_, whose boxes satisfy
-  // reaches(box), until it returns false. False then, and if the line meets an edge, or another
-  // face at at_.
-  template <class Reaches, class Visit>
-  bool for_each_beyond(FaceId from, const Reaches& reaches, const Visit& visit) const {
-    const double begin = below(at_.nearest());
-    bool is_clear = true;
-    others_.tree.query(
-        [&](const Box& b) { return is_clear && is_on_line(b) && begin <= b.high[0] && reaches(b); },
-        [&](std::uint32_t item) {
-          const FaceId f = others_.faces[item];
-          if (f == from || !is_clear || !counts_(f)) return;
-          const std::optional<bool> met = meets(f);
-          is_clear = met.has_value();
-          if (!is_clear || !*met) return;
-          Place here = place_on(f);
-          const Sign beyond = at_.compare(here);
-          if (beyond == Sign::zero) refuse_if_flush(from, f);
-          if (beyond != Sign::negative)
-            is_clear = beyond == Sign::positive && visit(f, std::move(here));
-        });
-    return is_clear;
+  StretchAlongX beyond_here() const {
+    StretchAlongX stretch = line_;
+    stretch.begin = below(at_.nearest());
+    stretch.end = std::numeric_limits<double>::infinity();
+    return stretch;
   }
 
-  bool is_on_line(const Box& b) const {
-    return b.low[1] <= high_y_ && low_y_ <= b.high[1] && b.low[2] <= high_z_ && low_z_ <= b.high[2];
+  // Calls visit(face, place) for the faces beyond `from`, which is at at_, until it returns false.
+  // False then, and if the line meets an edge, or another face at at_.
+  template <class Visit>
+  bool for_each_beyond(FaceId from, StretchAlongX& stretch, const Visit& visit) const {
+    bool is_clear = true;
+    const auto meet = [&](FaceId f) {
+      const std::optional<bool> met = meets(f);
+      if (!met) return false;
+      if (!*met) return true;
+      Place here = place_on(f);
+      const Sign beyond = at_.compare(here);
+      if (beyond == Sign::zero) refuse_if_flush(from, f);
+      return beyond == Sign::negative || (beyond == Sign::positive && visit(f, std::move(here)));
+    };
+    others_.query(stretch, [&](FaceId f) {
+      if (f == from || !is_clear || !counts_(f)) return;
+      is_clear = meet(f);
+      if (!is_clear) stretch.end = -std::numeric_limits<double>::infinity();
+    });
+    return is_clear;
   }
 
   Place place_on(FaceId f) const {
@@ -257,19 +255,20 @@ class LineThroughFace {
 
   const SolidData& data_;
   const Kernel& kernel_;
-  const FacesInTree& others_;
+  const FacesAlongX& others_;
   FaceId face_;
   const Counts& counts_;
   std::array<PointId, 3> triangle_;
   ExactPoint point_;
-  double low_y_ = 0, high_y_ = 0, low_z_ = 0, high_z_ = 0;  // around the line
-  Place at_;                                                // how far the line was followed
+  StretchAlongX line_;  // around all of it
+  Place at_;            // how far the line was followed
 };
 
 // The layers of material on a line change at its faces, and at infinity there are none. Shells do
 // not cross each other: of what is around one, all boxes hold its own, and other shells take away
 // from a line what they add to it. So most shells need no line, and no line is followed beyond the
-// first face of a shell of which all is known.
+// first face of a shell of which all is known. Those that reach farthest are looked at first, so
+// that all is known of what lies beyond the others.
 class Surroundings {
  public:
   Surroundings(const SolidData& data, const Kernel& kernel, const Shells& shells)
@@ -280,10 +279,10 @@ class Surroundings {
         found_(shells.count),
         known_(shells.count, 0),
         boxes_(shell_boxes()),
-        outer_(data, faces_around_others()) {}
+        outer_(data, faces_around_others(), boxes_.held_count()) {}
 
   std::vector<ShellSurroundings> run() {
-    for (const std::uint32_t s : boxes_.from_outside()) {
+    for (const std::uint32_t s : boxes_.farthest_first()) {
       found_[s].material = own_layers(s) + (boxes_.is_held(s) ? layers_around(s) : 0);
       known_[s] = 1;
     }
@@ -294,15 +293,20 @@ class Surroundings {
   std::uint32_t shell(FaceId f) const { return shells_.of_face[f.value()]; }
   Sign normal(FaceId f) const { return kernel_.normal(data_.brep().plane[f], 0); }
 
-  // Finds the members, too, and for each shell the first one that is not parallel to the line.
+  // Finds the members, too, and of those of each shell that are not parallel to the line one that
+  // reaches farthest.
   std::vector<Box> shell_boxes() {
     std::vector<Box> boxes(shells_.count);
+    std::vector<float> farthest(shells_.count, -std::numeric_limits<float>::infinity());
     for (std::uint32_t i = 0; i < shells_.of_face.size(); ++i) {
       const FaceId f(i);
-      boxes[shell(f)].add(face_box(data_.brep(), data_.geometry(), f));
-      members_[shell(f)].push_back(f);
-      FaceId& chosen = found_[shell(f)].face;
-      if (!chosen.valid() && normal(f) != Sign::zero) chosen = f;
+      const Box box = face_box(data_.brep(), data_.geometry(), f);
+      const std::uint32_t s = shell(f);
+      boxes[s].add(box);
+      members_[s].push_back(f);
+      if (box.high[0] <= farthest[s] || normal(f) == Sign::zero) continue;
+      farthest[s] = box.high[0];
+      found_[s].face = f;
     }
     for (const ShellSurroundings& s : found_)
       if (!s.face.valid()) throw InternalError("a shell has no extent in the plane across an axis");
@@ -318,7 +322,7 @@ class Surroundings {
 
   // Those of a shell itself, on its outer side: none, or less than none if it is turned inwards.
   int own_layers(std::uint32_t s) const {
-    const FacesInTree own(data_, members_[s]);
+    const FacesAlongX own(data_, members_[s], 1);
     const auto all = [](FaceId) { return true; };
     LineThroughFace line(data_, kernel_, own, found_[s].face, all);
     const int beyond = layers_before(line.faces_beyond([](FaceId) { return false; }));
@@ -327,8 +331,8 @@ class Surroundings {
 
   // Those of other shells.
   int layers_around(std::uint32_t s) const {
-    const auto may_be_around = [&](FaceId f) { return shell(f) != s && boxes_.holds(shell(f), s); };
-    LineThroughFace line(data_, kernel_, outer_, found_[s].face, may_be_around);
+    const auto is_other = [&](FaceId f) { return shell(f) != s; };
+    LineThroughFace line(data_, kernel_, outer_, found_[s].face, is_other);
     return layers_before(line.faces_beyond([&](FaceId f) { return known_[shell(f)] != 0; }));
   }
 
@@ -353,7 +357,7 @@ class Surroundings {
   std::vector<ShellSurroundings> found_;      // per shell
   std::vector<std::uint8_t> known_;
   ShellBoxes boxes_;
-  FacesInTree outer_;
+  FacesAlongX outer_;
 };
 
 }  // namespace

@@ -43,19 +43,12 @@ void ShellBoxes::find_holding() {
   }
 }
 
-std::vector<std::uint32_t> ShellBoxes::from_outside() const {
-  const auto size = [&](std::uint32_t s) {
-    const Box& b = boxes_[s];
-    double sum = 0;
-    for (int k = 0; k < 3; ++k) sum += double(b.high[k]) - double(b.low[k]);
-    return sum;
-  };
+std::vector<std::uint32_t> ShellBoxes::farthest_first() const {
   std::vector<std::uint32_t> order(boxes_.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::vector<double> sizes;
-  for (std::uint32_t s = 0; s < boxes_.size(); ++s) sizes.push_back(size(s));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t s, std::uint32_t t) { return sizes[s] > sizes[t]; });
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t s, std::uint32_t t) {
+    return boxes_[s].high[0] > boxes_[t].high[0];
+  });
   return order;
 }
 

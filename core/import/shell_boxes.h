@@ -1,6 +1,7 @@
 // Which shells can lie within which: only those whose boxes do.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -13,16 +14,15 @@ class ShellBoxes {
   /// One box per shell.
   explicit ShellBoxes(std::vector<Box> boxes);
 
-  /// Does the box of a shell hold that of another one, or is it the same one?
-  bool holds(std::uint32_t outer, std::uint32_t inner) const {
-    return contains(boxes_[outer], boxes_[inner]);
-  }
   /// Does the box of any other shell hold that of this one?
   bool is_held(std::uint32_t shell) const { return is_held_[shell] != 0; }
+  std::size_t held_count() const {
+    return static_cast<std::size_t>(std::count(is_held_.begin(), is_held_.end(), 1));
+  }
   /// Does the box of this shell hold that of any other one?
   bool holds_any(std::uint32_t shell) const { return holds_any_[shell] != 0; }
-  /// All shells; each comes after those whose boxes hold its own, except for equal ones.
-  std::vector<std::uint32_t> from_outside() const;
+  /// All shells, those that reach farthest along the x axis first.
+  std::vector<std::uint32_t> farthest_first() const;
 
  private:
   static bool contains(const Box& outer, const Box& inner) {

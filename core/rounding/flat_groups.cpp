@@ -53,7 +53,8 @@ bool Slab::always_clear_of(const Box& box) const {
 }
 
 FlatGroups::FlatGroups(const std::function<PlacedTriangle(std::uint32_t)>& triangle,
-                       const std::vector<std::uint32_t>& ends, double slack, double extent) {
+                       const std::vector<std::uint32_t>& ends, double slack, double extent)
+    : slack_(slack) {
   gather(triangle, ends);
   triangles_.resize(number_.size());
   fours_.resize(first_four_.back());
@@ -63,6 +64,16 @@ FlatGroups::FlatGroups(const std::function<PlacedTriangle(std::uint32_t)>& trian
     for (std::uint32_t g = range.begin(); g < range.end(); ++g) look_at(g, triangle, slack, extent);
   });
   index_ = BoxIndex(boxes_, true);
+}
+
+const OrientedIndex& FlatGroups::oriented() const {
+  oriented_->once.run([&] {
+    oriented_->index = OrientedIndex(count(), 2 * slack_, [&](std::uint32_t g, const auto& add) {
+      for (std::uint32_t i = first_[g]; i < first_[g + 1]; ++i)
+        for (const Vec3& p : triangles_[i].placed.at) add(p);
+    });
+  });
+  return oriented_->index;
 }
 
 // Those of a large face are put along a curve first.

@@ -8,12 +8,16 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "parallel/once_alone.h"
 #include "rounding/clear_pairs.h"
 #include "search/box_index.h"
 #include "search/four_boxes.h"
+#include "search/oriented_index.h"
 
 namespace sectile {
 
@@ -64,13 +68,14 @@ class FlatGroups {
   const Box& box(std::uint32_t group) const { return boxes_[group]; }
   const Slab& slab(std::uint32_t group) const { return slabs_[group]; }
 
-  /// Calls visit(group) for those of the first `groups` whose boxes overlap one, until it returns
-  /// false. Did it never?
-  template <class Visit>
-  bool overlapping(const Box& box, std::uint32_t groups, const Visit& visit) const {
-    return index_.overlapping(box, groups, visit);
-  }
+  /// Calls visit(group) for those of the first `groups` that may meet what is in a box, until it
+  /// returns false. Did it never? Beyond `many`, around() is asked for a box around the same that
+  /// says more.
+  template <class Around, class Visit>
+  bool overlapping(const Box& box, std::uint32_t many, const Around& around, std::uint32_t groups,
+                   const Visit& visit) const;
   bool any_overlaps(const Box& box) const { return index_.any_overlaps(box); }
+  const OrientedBox& oriented(std::uint32_t group) const { return oriented().at(0, group); }
 
   /// Calls visit(place) for all of a group that are not certainly beside a triangle with this box,
   /// until it returns false. Did it never?
@@ -88,6 +93,8 @@ class FlatGroups {
  private:
   using Members = std::uint32_t;  // a bit for each of those in a group
 
+  // Made when first asked for.
+  const OrientedIndex& oriented() const;
   void gather(const std::function<PlacedTriangle(std::uint32_t)>& triangle,
               const std::vector<std::uint32_t>& ends);
   void look_at(std::uint32_t group, const std::function<PlacedTriangle(std::uint32_t)>& triangle,
@@ -115,6 +122,12 @@ class FlatGroups {
   std::vector<Slab> slabs_;                        // per group
   std::vector<Box> boxes_;                         // per group
   BoxIndex index_;                                 // of the groups
+  double slack_ = 0;
+  struct Oriented {
+    OnceFlag once;
+    OrientedIndex index;  // of the groups, too
+  };
+  std::unique_ptr<Oriented> oriented_ = std::make_unique<Oriented>();
 };
 
 inline FlatGroups::Members FlatGroups::overlapping(std::uint32_t group, const Box& box,
@@ -124,6 +137,20 @@ inline FlatGroups::Members FlatGroups::overlapping(std::uint32_t group, const Bo
   for (std::uint32_t four = first_four_[group]; four < first_four_[group + 1]; ++four, shift += 4)
     found |= Members(fours_[four].overlapping(box)) << shift;
   return found & among;
+}
+
+template <class Around, class Visit>
+bool FlatGroups::overlapping(const Box& box, std::uint32_t many, const Around& around,
+                             std::uint32_t groups, const Visit& visit) const {
+  std::uint32_t visited = 0;
+  std::optional<OrientedBox> oriented_box;
+  return index_.overlapping(
+      box, groups, [&](std::uint32_t group) { return ++visited, visit(group); },
+      [&](std::uint64_t level, std::uint32_t index) {
+        if (visited < many) return false;
+        if (!oriented_box) oriented_box = around();
+        return apart(oriented().at(level, index), *oriented_box);
+      });
 }
 
 template <class Visit>

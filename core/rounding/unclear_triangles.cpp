@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <utility>
 
@@ -13,10 +14,16 @@
 namespace sectile {
 namespace {
 
-// Of very many triangles, as around hubs, in faces of many corners and where all is long and thin,
-// boxes overlap. The exact test has its own ways then: it gets what meets more than these.
-constexpr int most_pairs = 1024;
-constexpr std::uint32_t most_groups = 8192;
+// How much each triangle may meet. Where all is long and thin, around hubs and in faces of many
+// corners, boxes of very many overlap. Then oriented boxes tell them apart, or else the exact test,
+// which has its own ways: it gets what meets more than this.
+struct Patience {
+  std::uint32_t groups_by_boxes;  // beyond these, oriented boxes are asked
+  std::uint32_t groups, pairs;
+};
+constexpr Patience normal{0xFFFFFFFFu, 8192, 1024}, little{16, 512, 128};
+// Patience ends when so much more was met, for each triangle that moved.
+constexpr std::uint64_t most_beyond = 64;
 
 class Finder {
   using Triangles = RoundedTriangles::Triangles;
@@ -86,20 +93,25 @@ class Finder {
   // A group with itself and with those before it.
   void meet_before(std::uint32_t g, UnclearTriangles& found) const {
     const std::uint32_t first = moved_.first(g), end = moved_.first(g + 1);
+    const Patience patience = this->patience();
     std::uint32_t groups = 0, pairs = 0, last = none;
     ClearCorners clear;
-    const bool few = moved_.overlapping(moved_.box(g), g + 1, [&](std::uint32_t h) {
-      return ++groups <= most_groups &&
-             moved_.near_pairs(g, h, [&](std::uint32_t i, std::uint32_t j) {
-               if (++pairs > std::uint32_t(most_pairs) * (end - first)) return false;
-               const ViewedTriangle &s = moved_.triangle(i), &t = moved_.triangle(j);
-               if (std::exchange(last, i) != i) clear = clear_corners(s.placed);
-               if (!clear.any_of(t.placed) && !clearly_meet_in_corners(s, t, slack_))
-                 found.all.insert(found.all.end(), {number(i), number(j)});
-               return true;
-             });
-    });
-    if (few) return;
+    const auto oriented = [&]() -> const OrientedBox& { return moved_.oriented(g); };
+    const auto meet = [&](std::uint32_t i, std::uint32_t j) {
+      if (++pairs > patience.pairs * (end - first)) return false;
+      const ViewedTriangle &s = moved_.triangle(i), &t = moved_.triangle(j);
+      if (std::exchange(last, i) != i) clear = clear_corners(s.placed);
+      if (!clear.any_of(t.placed) && !clearly_meet_in_corners(s, t, slack_))
+        found.all.insert(found.all.end(), {number(i), number(j)});
+      return true;
+    };
+    const auto meet_group = [&](std::uint32_t h) {
+      return ++groups <= patience.groups && moved_.near_pairs(g, h, meet);
+    };
+    const bool all_met =
+        moved_.overlapping(moved_.box(g), patience.groups_by_boxes, oriented, g + 1, meet_group);
+    note(groups, pairs / (end - first));
+    if (all_met) return;
     for (std::uint32_t i = first; i < end; ++i) found.not_looked_at.push_back(number(i));
   }
 
@@ -154,23 +166,29 @@ class Finder {
     std::array<PlacedTriangle, most> placed;
     std::array<Box, most> box;
     std::array<ClearCorners, most> clear_corners;
-    std::array<int, most> pairs;
+    std::array<std::uint32_t, most> pairs;
     EightBoxes boxes;
     // Of those whose bit is set: once anything is near them.
     std::array<ViewedTriangle, most> viewed;
-    unsigned is_viewed;
+    std::array<OrientedBox, most> oriented;  // where many groups are near
+    unsigned is_viewed, is_oriented;
 
     const ViewedTriangle& view(unsigned i, double slack) {
       if ((is_viewed >> i & 1) == 0) viewed[i] = ViewedTriangle(placed[i], slack);
       is_viewed |= 1u << i;
       return viewed[i];
     }
+    const OrientedBox& oriented_box(unsigned i) {
+      if ((is_oriented >> i & 1) == 0) oriented[i] = OrientedBox(placed[i].at);
+      is_oriented |= 1u << i;
+      return oriented[i];
+    }
   };
 
   void look_at(Few& few) const {
     few.boxes = EightBoxes();
     few.pairs = {};
-    few.is_viewed = 0;
+    few.is_viewed = few.is_oriented = 0;
     for (unsigned i = 0; i < few.count; ++i) {
       few.placed[i] = placed(few.number[i]);
       few.box[i] = box_around(few.placed[i], 0);
@@ -180,6 +198,7 @@ class Finder {
   }
 
   void meet_moved(Few& few, UnclearTriangles& found) const {
+    const Patience patience = this->patience();
     std::uint32_t groups = 0;
     unsigned left = ~0u >> (32 - few.count);
     bool looked = false;
@@ -188,22 +207,38 @@ class Finder {
       found.not_looked_at.push_back(few.number[i]);
     };
     const Box all = few.bounds.box();
-    const bool not_many = moved_.overlapping(all, moved_.count(), [&](std::uint32_t g) {
-      if (++groups > most_groups) return false;
+    const auto oriented = [&] { return around(few); };
+    const auto meet = [&](std::uint32_t g) {
+      if (++groups > patience.groups) return false;
       if (moved_.slab(g).always_clear_of(all)) return true;
       if (!std::exchange(looked, true)) look_at(few);
       for (unsigned hit = few.boxes.overlapping(moved_.box(g)) & left; hit != 0; hit &= hit - 1) {
         const auto i = static_cast<unsigned>(std::countr_zero(hit));
-        if (!meet_group(few, i, g, found)) leave(i);
+        if (groups > patience.groups_by_boxes && apart(moved_.oriented(g), few.oriented_box(i)))
+          continue;
+        if (!meet_group(few, i, g, patience.pairs, found)) leave(i);
       }
       return true;
-    });
-    if (!not_many)
+    };
+    const bool all_met =
+        moved_.overlapping(all, patience.groups_by_boxes, oriented, moved_.count(), meet);
+    note(groups, looked ? *std::max_element(few.pairs.begin(), few.pairs.end()) : 0);
+    if (!all_met)
       while (left != 0) leave(static_cast<unsigned>(std::countr_zero(left)));
   }
 
+  OrientedBox around(const Few& few) const {
+    std::array<Vec3, 3 * Few::most> points;
+    std::size_t count = 0;
+    for (unsigned i = 0; i < few.count; ++i)
+      for (const std::uint32_t v : mesh_.corners(few.number[i]))
+        points[count++] = mesh_.positions()[v];
+    return OrientedBox(std::span(points).first(count));
+  }
+
   // False if it would be too many.
-  bool meet_group(Few& few, unsigned i, std::uint32_t g, UnclearTriangles& found) const {
+  bool meet_group(Few& few, unsigned i, std::uint32_t g, std::uint32_t most_pairs,
+                  UnclearTriangles& found) const {
     return moved_.near(g, few.placed[i], few.box[i], [&](std::uint32_t place) {
       if (++few.pairs[i] > most_pairs) return false;
       const ViewedTriangle& s = moved_.triangle(place);
@@ -211,6 +246,17 @@ class Finder {
         found.all.insert(found.all.end(), {number(place), few.number[i]});
       return true;
     });
+  }
+
+  Patience patience() const {
+    return beyond_.load(std::memory_order_relaxed) > most_beyond * moved_.size() ? little : normal;
+  }
+  void note(std::uint32_t groups, std::uint32_t pairs) const {
+    const auto beyond = [](std::uint32_t count, std::uint32_t few) {
+      return count > few ? count - few : 0;
+    };
+    const std::uint32_t more = beyond(groups, little.groups_by_boxes) + beyond(pairs, little.pairs);
+    if (more > 0) beyond_.fetch_add(more, std::memory_order_relaxed);
   }
 
   ClearCorners clear_corners(const PlacedTriangle& t) const {
@@ -237,6 +283,7 @@ class Finder {
   const Triangles unsettled_;
   FlatGroups moved_;                       // those of them that are looked at here
   std::vector<std::uint8_t> clear_stars_;  // per vertex
+  mutable std::atomic<std::uint64_t> beyond_ = 0;
   parallel::Scratch<UnclearTriangles> found_;
   UnclearTriangles result_;
 };

@@ -25,7 +25,14 @@ class BoxIndex {
   }
   /// The same of the first items, in their order along the curve.
   template <class Visit>
-  bool overlapping(const Box& box, std::uint32_t first, const Visit& visit) const;
+  bool overlapping(const Box& box, std::uint32_t first, const Visit& visit) const {
+    return overlapping(box, first, visit, [](std::uint64_t, std::uint32_t) { return false; });
+  }
+  /// The same without what is known to be apart otherwise: all items from 4^level · index on, up to
+  /// 4^level of them, in their order along the curve.
+  template <class Visit, class IsApart>
+  bool overlapping(const Box& box, std::uint32_t first, const Visit& visit,
+                   const IsApart& is_apart) const;
 
   bool any_overlaps(const Box& box) const {
     return !overlapping(box, [](std::uint32_t) { return false; });
@@ -41,8 +48,9 @@ class BoxIndex {
   std::vector<std::vector<FourBoxes>> levels_;  // of the items first, of a single one last
 };
 
-template <class Visit>
-bool BoxIndex::overlapping(const Box& box, std::uint32_t first, const Visit& visit) const {
+template <class Visit, class IsApart>
+bool BoxIndex::overlapping(const Box& box, std::uint32_t first, const Visit& visit,
+                           const IsApart& is_apart) const {
   if (first == 0) return true;
   std::array<std::uint64_t, 64> open;  // three nodes of each of sixteen levels at most
   std::size_t count = 0;
@@ -53,6 +61,7 @@ bool BoxIndex::overlapping(const Box& box, std::uint32_t first, const Visit& vis
     for (unsigned hit = levels_[level][index].overlapping(box); hit != 0; hit &= hit - 1) {
       const std::uint32_t below = 4 * index + static_cast<std::uint32_t>(std::countr_zero(hit));
       if (std::uint64_t(below) << (2 * level) >= first) break;  // as are those after it
+      if (is_apart(level, below)) continue;
       if (level > 0)
         open[count++] = node(level - 1, below);
       else if (!visit(items_[below]))

@@ -34,6 +34,13 @@ class BoxTree {
     if (!empty()) query(root(), meets, visit);
   }
 
+  /// The same, where meets(node) tells it of all that is under a node, too. Of two parts that one
+  /// is visited first for which before(node, other) holds.
+  template <class Meets, class Before, class Visit>
+  void query_in_order(const Meets& meets, const Before& before, Visit&& visit) const {
+    if (!empty()) query_in_order(root(), meets, before, visit);
+  }
+
   /// Calls visit(item of a, item of b) for every pair of overlapping boxes.
   template <class Visit>
   static void overlaps(const BoxTree& a, const BoxTree& b, Visit&& visit) {
@@ -135,9 +142,23 @@ class BoxTree {
       if (has_second_child(n)) query(child(n, 1), meets, visit);
       return;
     }
-    const auto [from, to] = range(n.index);
+    visit_leaf(n, meets, visit);
+  }
+  template <class Meets, class Before, class Visit>
+  void query_in_order(Node n, const Meets& meets, const Before& before, Visit& visit) const {
+    if (!meets(n)) return;
+    if (n.level == 0) return visit_leaf(n, meets, visit);
+    Node first = child(n, 0), second = child(n, 1);
+    if (!has_second_child(n)) return query_in_order(first, meets, before, visit);
+    if (before(second, first)) std::swap(first, second);
+    query_in_order(first, meets, before, visit);
+    query_in_order(second, meets, before, visit);
+  }
+  template <class Meets, class Visit>
+  void visit_leaf(Node leaf, const Meets& meets, Visit& visit) const {
+    const auto [from, to] = range(leaf.index);
     for (std::uint32_t i = from; i < to; ++i)
-      if (meets(leaf_boxes_[n.index].get(i - from))) visit(items_[i]);
+      if (meets(leaf_boxes_[leaf.index].get(i - from))) visit(items_[i]);
   }
 
   std::vector<std::uint32_t> items_;      // in the order of a curve

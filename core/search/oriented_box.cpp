@@ -152,4 +152,35 @@ bool apart(const OrientedBox& a, const OrientedBox& b) {
   return false;
 }
 
+// Where the line does not meet the box, anything is right.
+double begin_along_x(const OrientedBox& box, const Vec3& start) {
+  const Vec3 between = box.centre - start;
+  double begin = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double speed = box.axis[i].x, away = dot(box.axis[i], between);
+    if (speed == 0) continue;
+    begin = std::max(begin, ((speed < 0 ? -away : away) - box.extent[i]) / std::abs(speed));
+  }
+  return start.x + begin;
+}
+
+// By half their surfaces.
+bool are_mostly_empty(std::span<const Box> boxes) {
+  constexpr double many_times = 4;
+  constexpr std::size_t few = 32;
+  if (boxes.size() < few) return false;
+  const auto surface = [](const Box& b) {
+    const double x = double(b.high[0]) - double(b.low[0]), y = double(b.high[1]) - double(b.low[1]),
+                 z = double(b.high[2]) - double(b.low[2]);
+    return x * y + y * z + z * x;
+  };
+  Box all;
+  double sum = 0;
+  for (const Box& b : boxes) {
+    all.add(b);
+    sum += surface(b);
+  }
+  return sum > many_times * surface(all);
+}
+
 }  // namespace sectile

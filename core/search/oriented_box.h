@@ -27,4 +27,11 @@ struct OrientedBox {
 /// Are two boxes certainly apart? Never true of boxes that have a point in common.
 bool apart(const OrientedBox& a, const OrientedBox& b);
 
+/// Where a line along the x axis, which starts at a place, comes into a box, about: its x.
+double begin_along_x(const OrientedBox& box, const Vec3& start);
+
+/// Do boxes cover each other many times over, as those of long things do that lie aslant, so that
+/// oriented ones are worth their while?
+bool are_mostly_empty(std::span<const Box> boxes);
+
 }  // namespace sectile

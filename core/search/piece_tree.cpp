@@ -10,32 +10,12 @@ std::vector<Box> boxes_of(std::span<const PieceTree::Edge> edges) {
   return boxes;
 }
 
-// Do boxes cover each other many times over, by half their surfaces, so that oriented ones are
-// worth their while?
-bool are_slanted(std::span<const Box> boxes) {
-  constexpr double many_times = 4;
-  constexpr std::size_t few = 32;
-  if (boxes.size() < few) return false;
-  const auto surface = [](const Box& b) {
-    const double x = double(b.high[0]) - double(b.low[0]), y = double(b.high[1]) - double(b.low[1]),
-                 z = double(b.high[2]) - double(b.low[2]);
-    return x * y + y * z + z * x;
-  };
-  Box all;
-  double sum = 0;
-  for (const Box& b : boxes) {
-    all.add(b);
-    sum += surface(b);
-  }
-  return sum > many_times * surface(all);
-}
-
 }  // namespace
 
 PieceTree::PieceTree(std::span<const Edge> edges, bool along_curve) {
   const std::vector<Box> boxes = boxes_of(edges);
   tree_ = BoxTree(boxes, {}, along_curve);
-  if (are_slanted(boxes))
+  if (are_mostly_empty(boxes))
     oriented_.emplace(tree_, [&](std::uint32_t e, const auto& add) {
       add(edges[e].from);
       add(edges[e].to);

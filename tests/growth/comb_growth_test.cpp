@@ -10,6 +10,7 @@
 #include "sectile/arrangement.h"
 #include "sectile/boolean.h"
 #include "sectile/primitives.h"
+#include "sectile/rounding.h"
 #include "sectile/transform.h"
 #include "sectile/validate.h"
 
@@ -116,6 +117,18 @@ TEST_P(CombGrowth, ValidationOfWhatIsLeftOfOne) {
                 150),
             1.35);
 }
+// Of slanted teeth, pieces are left, whose boxes hold each other.
+TEST_P(CombGrowth, WritingWhatIsLeftOfOneThatIsCut) {
+  const auto work = [](std::size_t n) {
+    const double size = static_cast<double>(n);
+    const Solid tool = transformed(block({-2 * size, 0.3 * size, -1}, {3 * size, 2 * size, 2}),
+                                   Transform::rotation_degrees({0.1, 0.2, 1}, 1));
+    const Solid left = boolean(GetParam().shape(n), tool, Operation::subtract);
+    return [left] { rounded_mesh(left); };
+  };
+  EXPECT_LT(growth(work, GetParam().shape == star ? 1200 : 300), n_log_n);
+}
+
 // Below the teeth, slivers of both reach through all of the comb: their boxes overlap.
 TEST_P(CombGrowth, RepairOfOneFlushWithAnother) {
   EXPECT_LT(

@@ -79,25 +79,37 @@ PolygonMesh corrugated_block(std::size_t folds) {
   return prism_on(outline, width);
 }
 
+void add_slanted_prism(PolygonMesh& mesh, const Vec3& at, double length) {
+  std::array<std::uint32_t, 6> p;
+  for (std::uint32_t k = 0; k < 6; ++k) {
+    const double u = at.x + (k % 3 == 1 ? 0.5 : 0), v = at.y + (k % 3 == 2 ? 0.5 : 0);
+    p[k] = k < 3 ? add_vertex(mesh, {u, v, at.z})
+                 : add_vertex(mesh, {u + length, v + 0.75 * length, at.z + length});
+  }
+  add_face(mesh, {p[2], p[1], p[0]});
+  add_face(mesh, {p[3], p[4], p[5]});
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::uint32_t next = (k + 1) % 3;
+    add_face(mesh, {p[k], p[next], p[3 + next], p[3 + k]});
+  }
+}
+
 // Prisms in a square grid, as long as the grid is wide.
 PolygonMesh slanted_bundle(std::size_t n) {
   const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
-  const double length = static_cast<double>(side);
   PolygonMesh mesh;
-  for (std::size_t i = 0; i < side * side; ++i) {
-    const double x = static_cast<double>(i % side), y = static_cast<double>(i / side);
-    std::array<std::uint32_t, 6> p;
-    for (std::uint32_t k = 0; k < 6; ++k) {
-      const double u = x + (k % 3 == 1 ? 0.5 : 0), v = y + (k % 3 == 2 ? 0.5 : 0);
-      p[k] = k < 3 ? add_vertex(mesh, {u, v, 0})
-                   : add_vertex(mesh, {u + length, v + 0.75 * length, length});
-    }
-    add_face(mesh, {p[2], p[1], p[0]});
-    add_face(mesh, {p[3], p[4], p[5]});
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t next = (k + 1) % 3;
-      add_face(mesh, {p[k], p[next], p[3 + next], p[3 + k]});
-    }
+  for (std::size_t i = 0; i < side * side; ++i)
+    add_slanted_prism(mesh, {static_cast<double>(i % side), static_cast<double>(i / side), 0},
+                      static_cast<double>(side));
+  return mesh;
+}
+
+// Beside each other: the boxes of long ones hold those of short ones.
+PolygonMesh slanted_prisms_of_all_lengths(std::size_t n) {
+  PolygonMesh mesh;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = static_cast<double>(i), half = static_cast<double>(n * (i % 7 + 1)) / 16;
+    add_slanted_prism(mesh, {x - half, -0.75 * half, -half}, 2 * half);
   }
   return mesh;
 }
@@ -145,6 +157,10 @@ TEST(ImportGrowth, CorrugatedBlock) {
 
 TEST(ImportGrowth, SlantedBundle) {
   EXPECT_LT(growth_of_import(slanted_bundle, 400), n_log_n);
+}
+
+TEST(ImportGrowth, SlantedPrismsOfAllLengths) {
+  EXPECT_LT(growth_of_import(slanted_prisms_of_all_lengths, 800), n_log_n);
 }
 
 TEST(ImportGrowth, ConeOnBands) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+#include <numeric>
 #include <random>
 
 namespace sectile {
@@ -112,6 +115,44 @@ TEST(BoxTree, QueriesFindTheItemsAroundAPoint) {
       if (a[k].contains(p)) wanted.push_back(k);
     std::sort(found.begin(), found.end());
     EXPECT_EQ(found, wanted);
+  }
+}
+
+// The nearest item is found first, and so most are never looked at.
+TEST(BoxTree, QueriesInOrderFindAllAndTheNearestFirst) {
+  Boxes boxes(8);
+  for (const std::size_t count : {1u, 4u, 5u, 9u, 500u}) {
+    const std::vector<Box> a = boxes.make(count, 100, 4);
+    const BoxTree tree(a);
+    std::vector<std::uint32_t> found;
+    const auto low = [&](BoxTree::Node n) { return tree.box(n).low[0]; };
+    const auto before = [&](BoxTree::Node n, BoxTree::Node m) { return low(n) < low(m); };
+    struct All {
+      bool operator()(BoxTree::Node) const { return true; }
+      bool operator()(const Box&) const { return true; }
+    };
+    tree.query_in_order(All(), before, [&](std::uint32_t i) { found.push_back(i); });
+    std::sort(found.begin(), found.end());
+    std::vector<std::uint32_t> all(count);
+    std::iota(all.begin(), all.end(), 0u);
+    EXPECT_EQ(found, all);
+
+    struct NotBeyond {
+      const BoxTree& tree;
+      float& end;
+      bool operator()(BoxTree::Node n) const { return (*this)(tree.box(n)); }
+      bool operator()(const Box& box) const { return box.low[0] < end; }
+    };
+    float end = std::numeric_limits<float>::infinity();
+    std::size_t visited = 0;
+    tree.query_in_order(NotBeyond{tree, end}, before, [&](std::uint32_t i) {
+      ++visited;
+      end = std::min(end, a[i].low[0]);
+    });
+    const auto lowest = std::min_element(
+        a.begin(), a.end(), [](const Box& b, const Box& c) { return b.low[0] < c.low[0]; });
+    EXPECT_EQ(end, lowest->low[0]);
+    EXPECT_LE(visited, 12u);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <random>
 #include <utility>
 #include <vector>
@@ -85,35 +86,68 @@ struct Given {
   }
 };
 
-// The numbers of those that may be near, as given.
-std::vector<std::uint32_t> near(const FlatGroups& groups, const ViewedTriangle& triangle) {
-  std::vector<std::uint32_t> found;
-  const Box box = box_around(triangle.placed, 0);
-  groups.overlapping(box, groups.count(), [&](std::uint32_t g) {
-    return groups.near(g, triangle.placed, box, [&](std::uint32_t place) {
-      found.push_back(groups.number(place));
-      return true;
-    });
-  });
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-// All pairs that may be near each other, with the lower number first.
-std::vector<Pair> near_pairs(const FlatGroups& groups) {
-  std::vector<Pair> found;
-  for (std::uint32_t g = 0; g < groups.count(); ++g)
-    groups.overlapping(groups.box(g), g + 1, [&](std::uint32_t h) {
-      return groups.near_pairs(g, h, [&](std::uint32_t i, std::uint32_t j) {
-        const auto [low, high] = std::minmax({groups.number(i), groups.number(j)});
-        found.emplace_back(low, high);
+template <class T>
+std::vector<T> in_both(const std::vector<T>& some, const std::vector<T>& others) {
+  std::vector<T> both;
+  std::set_intersection(some.begin(), some.end(), others.begin(), others.end(),
+                        std::back_inserter(both));
+  return both;
+}
+
+constexpr std::uint32_t never = 0xFFFFFFFFu;
+
+// Calls visit(group) for those that may meet a triangle; oriented boxes are asked beyond `many`.
+template <class Visit>
+void groups_near(const FlatGroups& groups, const ViewedTriangle& triangle, std::uint32_t many,
+                 const Visit& visit) {
+  groups.overlapping(
+      box_around(triangle.placed, 0), many, [&] { return OrientedBox(triangle.placed.at); },
+      groups.count(),
+      [&](std::uint32_t g) {
+        visit(g);
+        return true;
+      });
+}
+
+// The numbers of those that may be near, as given: each way of looking finds them.
+std::vector<std::uint32_t> near(const FlatGroups& groups, const ViewedTriangle& triangle) {
+  std::vector<std::uint32_t> result;
+  for (const std::uint32_t many : {never, 3u, 0u}) {
+    std::vector<std::uint32_t> found;
+    const Box box = box_around(triangle.placed, 0);
+    groups_near(groups, triangle, many, [&](std::uint32_t g) {
+      groups.near(g, triangle.placed, box, [&](std::uint32_t place) {
+        found.push_back(groups.number(place));
         return true;
       });
     });
-  std::sort(found.begin(), found.end());
-  return found;
+    std::sort(found.begin(), found.end());
+    result = many == never ? found : in_both(result, found);
+  }
+  return result;
+}
+
+// All pairs that may be near each other, with the lower number first: each way finds them.
+std::vector<Pair> near_pairs(const FlatGroups& groups) {
+  std::vector<Pair> result;
+  for (const std::uint32_t many : {never, 0u}) {
+    std::vector<Pair> found;
+    for (std::uint32_t g = 0; g < groups.count(); ++g)
+      groups.overlapping(
+          groups.box(g), many, [&] { return groups.oriented(g); }, g + 1,
+          [&](std::uint32_t h) {
+            return groups.near_pairs(g, h, [&](std::uint32_t i, std::uint32_t j) {
+              const auto [low, high] = std::minmax({groups.number(i), groups.number(j)});
+              found.emplace_back(low, high);
+              return true;
+            });
+          });
+    std::sort(found.begin(), found.end());
+    result = many == never ? found : in_both(result, found);
+  }
+  return result;
 }
 
 class Lattice : public RandomPoints {
@@ -244,19 +278,18 @@ TEST(FlatGroups, NothingOfAPlateIsNearWhatIsBesideIt) {
                             [&](const Corners& s) { return are_apart(s, t); }));
     EXPECT_TRUE(near(groups, given.viewed(t)).empty());
   }
-  const auto groups_near = [&](std::int64_t height) {
+  const auto count_near = [&](std::int64_t height) {
     const Corners t{{{3000, 1500, height}, {3003, 1500, height + 1}, {3000, 1503, height + 2}}};
-    const Box box = box_around(given.viewed(t).placed, 0);
+    const ViewedTriangle viewed = given.viewed(t);
     std::size_t count = 0;
-    groups.overlapping(box, groups.count(), [&](std::uint32_t g) {
-      count += groups.slab(g).always_clear_of(box) ? 0 : 1;
-      return true;
+    groups_near(groups, viewed, never, [&](std::uint32_t g) {
+      count += groups.slab(g).always_clear_of(box_around(viewed.placed, 0)) ? 0 : 1;
     });
     return count;
   };
-  EXPECT_EQ(groups_near(1503), 0u);
-  EXPECT_EQ(groups_near(1497), 0u);
-  EXPECT_GT(groups_near(1500), 0u);
+  EXPECT_EQ(count_near(1503), 0u);
+  EXPECT_EQ(count_near(1497), 0u);
+  EXPECT_GT(count_near(1500), 0u);
 }
 
 TEST(FlatGroups, FewOfALargeFaceAreNearWhatTouchesIt) {
@@ -306,6 +339,27 @@ TEST(FlatGroups, MissNoPairThatMayHaveMet) {
   EXPECT_EQ(pairs_between(0), 0);
   EXPECT_EQ(pairs_between(0.3), 0);
   EXPECT_GT(pairs_between(1), 0);
+}
+
+// Boxes of all needles overlap.
+TEST(FlatGroups, FewNeedlesAreNearOneBetweenThem) {
+  Given given;
+  const auto needle = [](std::int64_t i) {
+    return Corners{{{i, 0, 0}, {i + 1, 0, 1}, {i + 3000, 3000, 2000}}};
+  };
+  for (std::int64_t i = 0; i < 500; ++i) {
+    given.corners.push_back(needle(4 * i));
+    given.end_face();
+  }
+  const FlatGroups groups = given.groups(10'000);
+  const auto count_near = [&](std::uint32_t many) {
+    std::size_t count = 0;
+    groups_near(groups, given.viewed(needle(1002)), many, [&](std::uint32_t) { ++count; });
+    return count;
+  };
+  EXPECT_EQ(count_near(never), 500u);
+  EXPECT_LT(count_near(20), 60u);
+  EXPECT_LT(count_near(0), 20u);
 }
 
 TEST(FlatGroups, PiecesBesideEachOtherInTheirFaceAreNoPairs) {
