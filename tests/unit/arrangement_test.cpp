@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "cases.h"
 #include "sectile/sectile.h"
 
 namespace sectile {
@@ -44,7 +45,7 @@ double count(const In& in) {
 
 TEST(Arrangement, RandomBoxesAreWhatTheirCellsSay) {
   std::mt19937 random(1);
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < cases(400); ++round) {
     SCOPED_TRACE(round);
     const std::size_t boxes = 2 + random() % 6;
     std::vector<LatticeBox> box;

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "cases.h"
 #include "sectile/sectile.h"
 #include "unit/brute_force_solid.h"
 
@@ -122,7 +123,7 @@ const Transform upright;
 const Transform slanted = Transform::rotation_degrees({1, 2, 3}, 40);
 
 TEST(Books, OfOneLength) {
-  for (unsigned seed = 0; seed < 6; ++seed) {
+  for (unsigned seed = 0; seed < cases(6u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const Stretches a{{0, 2}}, b{{seed % 3 * 0.5, 3.0 - seed % 2}};
@@ -133,7 +134,7 @@ TEST(Books, OfOneLength) {
 
 TEST(Books, OfPagesOfDifferentLengths) {
   const Stretches kinds[] = {{{0, 4}}, {{0, 2}}, {{1, 4}}, {{0, 1}, {2, 3}}, {{1, 2}, {3, 4}}};
-  for (unsigned seed = 0; seed < 8; ++seed) {
+  for (unsigned seed = 0; seed < cases(8u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const std::size_t of_each = 2 + seed % 4;
@@ -146,7 +147,7 @@ TEST(Books, OfPagesOfDifferentLengths) {
 // Short edges, one after the other, along long ones.
 TEST(Books, OfShortPagesBesideLongOnes) {
   const Stretches longer{{0, 8}}, shorter{{0, 1}, {1.5, 2}, {3, 5}, {7, 9}};
-  for (unsigned seed = 0; seed < 3; ++seed) {
+  for (unsigned seed = 0; seed < cases(3u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const auto of_a = random_pages(random, {&longer, 1}),
@@ -168,7 +169,7 @@ TEST(Books, OfPagesThatAreAllOfDifferentLengths) {
 // A solid across the line is united with a book, or cut out of it: what the line runs through.
 TEST(Books, WithASolidAcrossTheLine) {
   const Stretches kinds[] = {{{0, 4}}, {{0, 2}}, {{1, 4}}};
-  for (unsigned seed = 0; seed < 6; ++seed) {
+  for (unsigned seed = 0; seed < cases(6u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const Transform& placed = seed % 2 == 0 ? upright : slanted;
@@ -214,7 +215,7 @@ void expect_cells_are_what_booleans_say(const Solid& a, const Solid& b) {
 
 TEST(Books, CellsAreWhatBooleansSay) {
   const Stretches kinds[] = {{{0, 4}}, {{0, 2}}, {{1, 4}}, {{0, 1}, {2, 3}}};
-  for (unsigned seed = 0; seed < 4; ++seed) {
+  for (unsigned seed = 0; seed < cases(4u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const Transform& placed = seed % 2 == 0 ? upright : slanted;
@@ -242,7 +243,7 @@ TEST(Books, CellsOfPagesThatAreAllOfDifferentLengths) {
 
 TEST(Books, RepairUnitesThoseThatCross) {
   const Stretches kinds[] = {{{0, 4}}, {{0, 2}}, {{1, 4}}};
-  for (unsigned seed = 0; seed < 3; ++seed) {
+  for (unsigned seed = 0; seed < cases(3u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const auto of_a = random_pages(random, kinds), of_b = random_pages(random, kinds);
@@ -274,7 +275,7 @@ Solid bouquet_in_the_line(std::size_t n, double z) {
 
 TEST(Books, WithABouquetInTheLine) {
   const Stretches kinds[] = {{{0, 4}}, {{0, 2}}, {{1, 4}}};
-  for (unsigned seed = 0; seed < 3; ++seed) {
+  for (unsigned seed = 0; seed < cases(3u); ++seed) {
     for (const double z : {1.5, 2.0, 4.0}) {
       SCOPED_TRACE(z);
       std::mt19937 random(seed);
@@ -350,7 +351,7 @@ void compare(const PolygonMesh& mesh, Tally& tally) {
 // them, with a wall in one of theirs.
 TEST(Books, AreRefusedWhereTheyAreNoSolid) {
   Tally tally;
-  for (unsigned seed = 0; seed < 400; ++seed) {
+  for (unsigned seed = 0; seed < cases(400u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
@@ -368,14 +369,14 @@ TEST(Books, AreRefusedWhereTheyAreNoSolid) {
         seed % 2 != 0, mesh);
     compare(mesh, tally);
   }
-  EXPECT_GT(tally.legal, 30);
-  EXPECT_GT(tally.illegal, 100);
+  EXPECT_GT(tally.legal, cases(30));
+  EXPECT_GT(tally.illegal, cases(100));
 }
 
 // The same where the edges on the line have ends of their own, and no corner is one of many.
 TEST(Books, OfAllLengthsAreRefusedWhereTheyAreNoSolid) {
   Tally tally;
-  for (unsigned seed = 0; seed < 300; ++seed) {
+  for (unsigned seed = 0; seed < cases(300u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
@@ -392,8 +393,8 @@ TEST(Books, OfAllLengthsAreRefusedWhereTheyAreNoSolid) {
         seed % 2 != 0, mesh);
     compare(mesh, tally);
   }
-  EXPECT_GT(tally.legal, 30);
-  EXPECT_GT(tally.illegal, 100);
+  EXPECT_GT(tally.legal, cases(30));
+  EXPECT_GT(tally.illegal, cases(100));
 }
 
 }  // namespace

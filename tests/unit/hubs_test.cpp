@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "cases.h"
 #include "sectile/sectile.h"
 
 namespace sectile {
@@ -129,7 +130,7 @@ std::vector<Solid> single(std::span<const Triangle> triangles) {
 
 // What the two have in common and what is left, tetrahedron by tetrahedron.
 TEST(Hubs, BouquetsAreWhatTheirTetrahedraAre) {
-  for (unsigned seed = 0; seed < 6; ++seed) {
+  for (unsigned seed = 0; seed < cases(6u); ++seed) {
     std::mt19937 random(seed);
     const auto of_a = some_without_common_edges(surface_of_cube(2, false), 30, random),
                of_b = some_without_common_edges(surface_of_cube(3, seed % 2 == 0), 40, random);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cases.h"
 #include "geometry/axes.h"
 #include "geometry/probe.h"
 #include "kernel_scene.h"
@@ -12,7 +13,7 @@ namespace {
 
 template <class Check>
 void in_scenes_of(AnyDouble& any, const std::function<double()>& coordinate, const Check& check) {
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < cases(6); ++i) {
     Scene scene(any, coordinate);
     for (int j = 0; j < 30; ++j) check(scene);
   }

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "cases.h"
 #include "sectile/sectile.h"
 
 namespace sectile {
@@ -134,15 +135,15 @@ void for_each_polygon(unsigned seed, int count, int most_corners, int grid, cons
 }
 
 TEST(RepairPolygons, OfRandomCornersOnAGrid) {
-  for_each_polygon(11, 1500, 8, 4, expect_winding_numbers);
-  for_each_polygon(12, 200, 24, 6, expect_winding_numbers);
+  for_each_polygon(11, cases(1500), 8, 4, expect_winding_numbers);
+  for_each_polygon(12, cases(200), 24, 6, expect_winding_numbers);
 }
 
 // Faces that touch themselves are legal; cells() divides them where they do.
 TEST(RepairPolygons, CellsOfThoseThatAreLegal) {
   const Solid across = block({0.5, 0.25, 0.5}, {2.5, 2.75, 1.5});
   int legal = 0;
-  for_each_polygon(13, 20000, 8, 4, [&](const Polygon& base) {
+  for_each_polygon(13, cases(20000), 8, 4, [&](const Polygon& base) {
     Solid solid;
     try {
       solid = Solid::from_mesh(prism(base));
@@ -163,7 +164,7 @@ TEST(RepairPolygons, CellsOfThoseThatAreLegal) {
     EXPECT_NEAR(volume[1], across.volume(), 1e-9);
     EXPECT_NEAR(boolean(solid, across, Operation::intersect).volume(), common, 1e-9);
   });
-  EXPECT_GT(legal, 500);
+  EXPECT_GT(legal, cases(500));
 }
 
 }  // namespace
