@@ -4,14 +4,11 @@
 #include <numeric>
 #include <tuple>
 
-#include "parallel/parallel.h"
 #include "sectile/errors.h"
 #include "selftest/wedge_order.h"
 
 namespace sectile {
 namespace {
-
-constexpr std::size_t most_recent = 256;
 
 std::size_t next(std::size_t k) {
   return k < 2 ? k + 1 : 0;
@@ -30,10 +27,13 @@ std::size_t edge_of(const RoundedSurface::Corners& corners, std::uint32_t from, 
 
 }  // namespace
 
-LocalChanges::LocalChanges(RoundedSurface& rounded, Kernel& kernel, Asked asked)
-    : rounded_(rounded), kernel_(kernel), pairs_(rounded.surface, kernel), asked_(asked) {
+LocalChanges::LocalChanges(RoundedSurface& rounded, Kernel& kernel, TouchingCones* cones)
+    : rounded_(rounded),
+      kernel_(kernel),
+      pairs_(rounded.surface, kernel),
+      cones_(cones),
+      near_(rounded, cones) {
   const std::size_t count = rounded.corners.size();
-  is_changed_.assign(count, 0);
   first_.assign(rounded.point.size() + 1, 0);
   for (const auto& corners : rounded.corners)
     for (const std::uint32_t v : corners) ++first_[v + 1];
@@ -42,25 +42,6 @@ LocalChanges::LocalChanges(RoundedSurface& rounded, Kernel& kernel, Asked asked)
   std::vector<std::uint32_t> at(first_.begin(), first_.end() - 1);
   for (std::uint32_t t = 0; t < count; ++t)
     for (const std::uint32_t v : rounded.corners[t]) around_[at[v]++] = t;
-  build_tree();
-}
-
-Box LocalChanges::make_box(std::uint32_t triangle) const {
-  Bounds bounds;
-  for (const PointId p : rounded_.surface.corners[triangle])
-    bounds.add(rounded_.geometry.position(p));
-  return bounds.box();
-}
-
-void LocalChanges::build_tree() {
-  box_.assign(rounded_.corners.size(), Box());
-  parallel::loop(parallel::Range<std::size_t>(0, box_.size(), 4096), [&](const auto& range) {
-    for (std::size_t t = range.begin(); t < range.end(); ++t)
-      if (rounded_.alive[t] != 0) box_[t] = make_box(static_cast<std::uint32_t>(t));
-  });
-  tree_ = BoxTree(box_);
-  for (const std::uint32_t t : recent_) is_changed_[t] = 0;
-  recent_.clear();
 }
 
 std::vector<std::uint32_t> LocalChanges::star(std::uint32_t vertex) const {
@@ -74,17 +55,6 @@ std::vector<std::uint32_t> LocalChanges::star(std::uint32_t vertex) const {
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
-}
-
-template <class Visit>
-void LocalChanges::for_each_near(std::uint32_t triangle, const Visit& visit) const {
-  const Box& own = box_[triangle];
-  tree_.query([&](const Box& b) { return b.overlaps(own); },
-              [&](std::uint32_t t) {
-                if (t != triangle && is_changed_[t] == 0 && rounded_.alive[t] != 0) visit(t);
-              });
-  for (const std::uint32_t t : recent_)
-    if (t != triangle && rounded_.alive[t] != 0 && box_[t].overlaps(own)) visit(t);
 }
 
 bool LocalChanges::meet(std::uint32_t s, std::uint32_t t) const {
@@ -103,7 +73,7 @@ bool LocalChanges::is_free() {
 bool LocalChanges::is_met_again() const {
   const auto [s, t] = met_;
   return s != t && std::binary_search(concerned_.begin(), concerned_.end(), s) &&
-         rounded_.alive[s] != 0 && rounded_.alive[t] != 0 && box_[s].overlaps(box_[t]) &&
+         rounded_.alive[s] != 0 && rounded_.alive[t] != 0 && near_.box(s).overlaps(near_.box(t)) &&
          meet(s, t);
 }
 
@@ -116,7 +86,7 @@ std::size_t LocalChanges::faults(std::span<const std::uint32_t> triangles, std::
       count += 2;
       continue;
     }
-    for_each_near(t, [&](std::uint32_t other) {
+    near_.for_each(t, [&](std::uint32_t other) {
       const bool both = std::binary_search(triangles.begin(), triangles.end(), other);
       if (count >= most || (both && other < t)) return;
       if (meet(t, other)) ++count;
@@ -128,7 +98,7 @@ std::size_t LocalChanges::faults(std::span<const std::uint32_t> triangles, std::
 std::vector<std::uint32_t> LocalChanges::opponents(std::uint32_t triangle) const {
   std::vector<std::uint32_t> found;
   if (rounded_.surface.ignored[triangle] != 0) return found;
-  for_each_near(triangle, [&](std::uint32_t other) {
+  near_.for_each(triangle, [&](std::uint32_t other) {
     if (meet(triangle, other)) found.push_back(other);
   });
   std::sort(found.begin(), found.end());
@@ -147,7 +117,7 @@ void LocalChanges::begin(std::vector<std::uint32_t> triangles, std::uint32_t aro
   std::sort(triangles.begin(), triangles.end());
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   concerned_ = std::move(triangles);
-  if (asked_ == Asked::is_better) count_before(around);
+  if (cones_ == nullptr) count_before(around);
   save_concerned();
 }
 
@@ -161,13 +131,7 @@ void LocalChanges::save_concerned() {
   saved_.clear();
   moved_from_ = PointId();
   for (const std::uint32_t t : concerned_) save(t);
-  // From now on they are found by the list.
-  recent_before_ = recent_.size();
-  for (const std::uint32_t t : concerned_) {
-    if (is_changed_[t] != 0) continue;
-    is_changed_[t] = 1;
-    recent_.push_back(t);
-  }
+  near_.begin(concerned_);
 }
 
 void LocalChanges::save(std::uint32_t t) {
@@ -182,7 +146,7 @@ void LocalChanges::renew(std::uint32_t t) {
   rounded_.surface.plane[t] =
       rounded_.geometry.add_plane(PlaneDefinition::through(points[0], points[1], points[2]));
   rounded_.surface.settled[t] = 0;
-  box_[t] = make_box(t);
+  near_.renew(t);
 }
 
 void LocalChanges::kill(std::uint32_t t) {
@@ -357,7 +321,12 @@ bool LocalChanges::move(std::uint32_t vertex, const Vec3& to) {
   moved_from_ = rounded_.point[vertex];
   rounded_.point[vertex] = rounded_.geometry.add_point(to);
   for (const std::uint32_t t : concerned_) renew(t);
-  settle();
+  if (cones_ == nullptr) {
+    settle();
+    return true;
+  }
+  note_flat();  // neighbours stay neighbours
+  cones_->note_move(vertex, concerned_);
   return true;
 }
 
@@ -448,7 +417,8 @@ bool LocalChanges::flip(std::uint32_t s, std::size_t j) {
 void LocalChanges::keep() {
   saved_.clear();
   before_at_.clear();
-  if (recent_.size() > most_recent) build_tree();
+  if (cones_ != nullptr) cones_->keep_move();
+  near_.keep();
 }
 
 void LocalChanges::undo() {
@@ -460,11 +430,12 @@ void LocalChanges::undo() {
     rounded_.surface.mate[t] = saved->mate;
     rounded_.alive[t] = saved->alive;
     rounded_.surface.ignored[t] = saved->ignored;
-    box_[t] = make_box(t);
+    near_.renew(t);
   }
   saved_.clear();
   if (moved_from_.valid()) rounded_.point[moved_vertex_] = moved_from_;
-  for (; recent_.size() > recent_before_; recent_.pop_back()) is_changed_[recent_.back()] = 0;
+  if (cones_ != nullptr) cones_->undo_move();
+  near_.undo();
 }
 
 }  // namespace sectile

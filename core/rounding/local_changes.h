@@ -9,17 +9,19 @@
 #include <unordered_map>
 #include <vector>
 
+#include "rounding/near_triangles.h"
 #include "rounding/rounded_surface.h"
-#include "search/box_tree.h"
+#include "rounding/touching_cones.h"
 #include "selftest/triangle_pair.h"
 
 namespace sectile {
 
 class LocalChanges {
  public:
-  /// Which of the questions below is asked about changes.
-  enum class Asked : std::uint8_t { is_better, is_free };
-  LocalChanges(RoundedSurface& rounded, Kernel& kernel, Asked asked = Asked::is_better);
+  LocalChanges(RoundedSurface& rounded, Kernel& kernel) : LocalChanges(rounded, kernel, nullptr) {}
+  /// Of each change is asked whether it is free. All are moves, and each edge has two triangles.
+  LocalChanges(RoundedSurface& rounded, Kernel& kernel, TouchingCones& cones)
+      : LocalChanges(rounded, kernel, &cones) {}
 
   /// The living triangles around a vertex.
   std::vector<std::uint32_t> star(std::uint32_t vertex) const;
@@ -44,6 +46,8 @@ class LocalChanges {
   bool is_free();
   void keep();
   void undo();
+  /// Vertices will move by so much, or little more.
+  void leave_room(double room) { near_.leave_room(room); }
 
   struct Join {
     std::uint32_t vertex, into;
@@ -68,6 +72,8 @@ class LocalChanges {
     std::uint8_t alive, ignored;
   };
 
+  LocalChanges(RoundedSurface& rounded, Kernel& kernel, TouchingCones* cones);
+
   bool any_fixed(std::span<const std::uint32_t> triangles) const;
   void begin(std::vector<std::uint32_t> triangles, std::uint32_t around = no_vertex);
   void count_before(std::uint32_t around);
@@ -88,26 +94,19 @@ class LocalChanges {
   bool is_flat(std::uint32_t triangle) const;
   bool meet(std::uint32_t s, std::uint32_t t) const;
   bool is_met_again() const;
-  template <class Visit>
-  void for_each_near(std::uint32_t triangle, const Visit& visit) const;
-  Box make_box(std::uint32_t triangle) const;
-  void build_tree();
 
   RoundedSurface& rounded_;
   Kernel& kernel_;
   TrianglePairs pairs_;
-  Asked asked_;
-  BoxTree tree_;
-  std::vector<Box> box_;                       // per triangle
-  std::vector<std::uint8_t> is_changed_;       // since the tree was built
-  std::vector<std::uint32_t> recent_;          // the same as a list
+  TouchingCones* cones_;  // only where is asked what is free
+  NearTriangles near_;
   std::vector<std::uint32_t> first_, around_;  // triangles around each vertex, at first
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> more_;  // and those that came
   std::vector<std::uint32_t> concerned_;
   std::vector<Saved> saved_;
   std::uint32_t moved_vertex_ = 0;
   PointId moved_from_;
-  std::size_t before_ = 0, recent_before_ = 0;
+  std::size_t before_ = 0;
   mutable std::array<std::uint32_t, 2> met_{};  // two triangles that met last
   mutable std::uint64_t tested_pairs_ = 0;
   // What is wrong around vertices, until a change is kept.

@@ -65,7 +65,7 @@ bool RoundingAttempt::run() {
 }
 
 bool RoundingAttempt::separate() {
-  const auto [moved, cramped] = Separation(rounded_, kernel_, grid_).run(options_);
+  const auto [moved, cramped] = Separation(rounded_, kernel_, grid_, options_).run();
   separated_ = moved;
   if (cramped.empty()) return true;
   is_cramped_ = true;

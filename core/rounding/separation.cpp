@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <tuple>
+#include <utility>
 
 #include "rounding/rounding_repair.h"
 #include "sectile/errors.h"
@@ -13,6 +15,12 @@ namespace {
 
 // So many steps a vertex may go, before a coarser grid is better.
 constexpr double greatest_reach = 64;
+// So many pairs of triangles are tested, and so many more for each vertex, before only places in
+// the vertex's cone are looked at.
+constexpr std::uint64_t least_tested = 100000, most_tested_for_each = 64;
+// Of a step, where numbers are very much nearer to each other than steps.
+constexpr double least_fraction = 0x1p-30;
+constexpr std::uint64_t no_limit = 0xFFFFFFFFFFFFFFFFu;
 
 std::size_t next(std::size_t k) {
   return k < 2 ? k + 1 : 0;
@@ -29,31 +37,22 @@ Vec3 middle_of(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-Separation::Result Separation::run(const Rounding& options) {
+Separation::Result Separation::run() {
   find_fans();
   give_fans_vertices();
-  divide_pinched_edges();
-  std::vector<std::uint32_t> waiting = middles_;
-  const std::vector<std::pair<Place, std::uint32_t>> places = places_of_vertices();
-  for (std::size_t from = 0, to; from < places.size(); from = to) {
-    for (to = from + 1; to < places.size() && places[to].first == places[from].first;) ++to;
-    // The last one to be looked at is alone by then.
-    for (std::size_t i = to; to > from + 1 && i-- > from;) waiting.push_back(places[i].second);
-  }
+  find_places();
+  std::vector<PinchedEdge> pinched = pinched_edges();
+  find_cones(pinched);
+  divide_edges(pinched);
+  std::vector<std::uint32_t> waiting = vertices_to_move();
   if (waiting.empty()) return {};
-  for (const auto& [place, vertex] : places) ++many_[place];
+  for (const Located& l : located_) ++many_[l.place];
   kernel_.refresh();
   ignore_flat(rounded_, kernel_);  // middles may have come to an end of their edge
-  LocalChanges changes(rounded_, kernel_, LocalChanges::Asked::is_free);
-  for (double reach = 1; !waiting.empty() && reach <= greatest_reach; reach *= 2) {
-    std::vector<std::uint32_t> left;
-    for (const std::uint32_t v : waiting) {
-      if (options.cancel && options.cancel->load(std::memory_order_relaxed)) throw Cancelled();
-      if (!move_apart(changes, v, reach)) left.push_back(v);
-    }
-    waiting = std::move(left);
-  }
-  return {moved_, std::move(waiting)};
+  LocalChanges changes(rounded_, kernel_, cones_);
+  most_tested_ = least_tested + most_tested_for_each * waiting.size();
+  waiting = move_all(changes, std::move(waiting));
+  return {moved_, move_out_of_cones(changes, waiting)};
 }
 
 void Separation::find_fans() {
@@ -108,8 +107,7 @@ std::uint32_t Separation::add_vertex(PointId point, const Vec3& origin, bool is_
   return static_cast<std::uint32_t>(rounded_.point.size() - 1);
 }
 
-// Where two wedges have both ends of an edge in common, all but the first one get a vertex between.
-void Separation::divide_pinched_edges() {
+std::vector<Separation::PinchedEdge> Separation::pinched_edges() const {
   std::vector<Edge> edges;
   for (std::uint32_t t = 0; t < rounded_.corners.size(); ++t)
     for (std::uint32_t k = 0; rounded_.alive[t] != 0 && k < 3; ++k) {
@@ -117,34 +115,59 @@ void Separation::divide_pinched_edges() {
       if (a < b) edges.push_back({a, b, t, k});
     }
   std::sort(edges.begin(), edges.end());
-  std::vector<Edge> pinched;
-  for (std::size_t i = 1; i < edges.size(); ++i)
-    if (edges[i].low == edges[i - 1].low && edges[i].high == edges[i - 1].high)
-      pinched.push_back(edges[i]);
-  for (const Edge& e : pinched) {
-    // What is left of the triangle, or one that was cut off from it.
-    const auto has_edge = [&](std::uint32_t t) {
-      return rounded_.corners[t][e.k] == e.low && rounded_.corners[t][next(e.k)] == e.high;
-    };
-    std::uint32_t t = e.triangle;
-    if (!has_edge(t)) {
-      const std::vector<std::uint32_t>& pieces = cut_off_[t];
-      const auto at = std::find_if(pieces.begin(), pieces.end(), has_edge);
-      if (at == pieces.end()) throw InternalError("an edge that is to be divided is lost");
-      t = *at;
-    }
-    divide(t, e.k);
+  std::vector<PinchedEdge> pinched;
+  for (auto from = edges.begin(), to = from; from != edges.end(); from = to) {
+    for (; to != edges.end() && to->low == from->low && to->high == from->high;) ++to;
+    if (to - from > 1) pinched.push_back({{from, to}, {}});
   }
+  return pinched;
 }
 
-void Separation::divide(std::uint32_t s, std::size_t j) {
+void Separation::find_cones(std::vector<PinchedEdge>& edges) {
+  kernel_.refresh();
+  std::vector<TouchingCones::Corner> corners;
+  for_each_touching([&](std::span<const Located> there) {
+    corners.clear();
+    for (const Located& l : there) corners.push_back(l.corner);
+    cones_.add_place(corners);
+  });
+  for (PinchedEdge& edge : edges) {
+    corners.clear();
+    for (const Edge& e : edge.wedges) corners.push_back({e.triangle, e.k});
+    edge.cones = cones_.add_edge(corners);
+  }
+  cones_.find_members();
+}
+
+// All wedges but the first one get a vertex between the ends.
+void Separation::divide_edges(const std::vector<PinchedEdge>& edges) {
+  for (const PinchedEdge& edge : edges)
+    for (std::size_t i = 1; i < edge.wedges.size(); ++i) {
+      const std::uint32_t middle = divide(triangle_with(edge.wedges[i]), edge.wedges[i].k);
+      middles_.push_back(middle);
+      if (edge.cones[i].site != TouchingCones::none) cones_.put_on_edge(middle, edge.cones[i]);
+    }
+}
+
+// What is left of the triangle, or one that was cut off from it.
+std::uint32_t Separation::triangle_with(const Edge& e) const {
+  const auto has_edge = [&](std::uint32_t t) {
+    return rounded_.corners[t][e.k] == e.low && rounded_.corners[t][next(e.k)] == e.high;
+  };
+  if (has_edge(e.triangle)) return e.triangle;
+  if (const auto cut = cut_off_.find(e.triangle); cut != cut_off_.end())
+    for (const std::uint32_t piece : cut->second)
+      if (has_edge(piece)) return piece;
+  throw InternalError("an edge that is to be divided is lost");
+}
+
+std::uint32_t Separation::divide(std::uint32_t s, std::size_t j) {
   const std::uint32_t a = rounded_.corners[s][j], b = rounded_.corners[s][next(j)];
   const std::uint32_t t = rounded_.surface.mate[s][j];
   const std::size_t k = corner_at(rounded_.corners[t], b);
   const Vec3 place = grid_.nearest(middle_of(rounded_.position(a), rounded_.position(b)));
   const std::uint32_t middle = add_vertex(rounded_.geometry.add_point(place),
                                           middle_of(rounded_.origin[a], rounded_.origin[b]), false);
-  middles_.push_back(middle);
   divide_half(s, j, middle);
   divide_half(t, k, middle);
   // Of s: a … middle, of the triangle after it: middle … b; of t the other way round.
@@ -153,6 +176,7 @@ void Separation::divide(std::uint32_t s, std::size_t j) {
   rounded_.surface.mate[last][k] = s;
   rounded_.surface.mate[last - 1][j] = t;
   rounded_.surface.mate[t][k] = last - 1;
+  return middle;
 }
 
 // (from, to, apex) becomes (from, middle, apex), and (middle, to, apex) is new.
@@ -164,6 +188,7 @@ void Separation::divide_half(std::uint32_t t, std::size_t k, std::uint32_t middl
   const std::uint32_t whole = known == whole_.end() ? t : known->second;
   whole_[added] = whole;
   cut_off_[whole].push_back(added);
+  cones_.divide(t, added);
   rounded_.corners.push_back(rounded_.corners[t]);
   rounded_.source.push_back(rounded_.source[t]);
   rounded_.alive.push_back(1);
@@ -188,17 +213,44 @@ void Separation::divide_half(std::uint32_t t, std::size_t k, std::uint32_t middl
   }
 }
 
-// Sorted; but for the new vertices in the middle of edges.
-std::vector<std::pair<Separation::Place, std::uint32_t>> Separation::places_of_vertices() const {
-  std::vector<std::uint8_t> used(rounded_.point.size(), 0);
+void Separation::find_places() {
+  std::vector<std::uint8_t> seen(rounded_.point.size(), 0);
   for (std::uint32_t t = 0; t < rounded_.corners.size(); ++t)
-    for (std::size_t k = 0; rounded_.alive[t] != 0 && k < 3; ++k) used[rounded_.corners[t][k]] = 1;
-  for (const std::uint32_t v : middles_) used[v] = 0;
-  std::vector<std::pair<Place, std::uint32_t>> places;
-  for (std::uint32_t v = 0; v < used.size(); ++v)
-    if (used[v] != 0) places.push_back({place(v), v});
-  std::sort(places.begin(), places.end());
-  return places;
+    for (std::uint32_t k = 0; rounded_.alive[t] != 0 && k < 3; ++k) {
+      const std::uint32_t v = rounded_.corners[t][k];
+      if (std::exchange(seen[v], 1) == 0) located_.push_back({place(v), v, {t, k}});
+    }
+  std::sort(located_.begin(), located_.end(), [](const Located& a, const Located& b) {
+    return std::tie(a.place, a.vertex) < std::tie(b.place, b.vertex);
+  });
+}
+
+// Visits the vertices at each place where there are several.
+template <class Visit>
+void Separation::for_each_touching(const Visit& visit) const {
+  const std::span<const Located> all = located_;
+  for (std::size_t from = 0, to; from < all.size(); from = to) {
+    for (to = from + 1; to < all.size() && all[to].place == all[from].place;) ++to;
+    if (to - from > 1) visit(all.subspan(from, to - from));
+  }
+}
+
+// The last one to be looked at in a place is alone by then.
+std::vector<std::uint32_t> Separation::vertices_to_move() const {
+  std::vector<std::uint32_t> waiting = middles_;
+  for_each_touching([&](std::span<const Located> there) {
+    for (std::size_t i = there.size(); i-- > 0;) waiting.push_back(there[i].vertex);
+  });
+  return waiting;
+}
+
+// A number some way off, but not the same one if there is another within four ways: what stays on a
+// face of its wedge, where numbers are far from each other, may touch others there.
+double Separation::leaving(double from, double way) const {
+  double to = grid_.nearest(from + way);
+  for (const double far : {2.0, 4.0})
+    if (to == from) to = grid_.nearest(from + far * way);
+  return to;
 }
 
 // Towards the middle of the neighbours, which is where a wedge has most room, and to the 26 places
@@ -216,11 +268,12 @@ std::vector<Vec3> Separation::places_near(const LocalChanges& changes, std::uint
     }
   const double size = std::hypot(way.x, way.y, way.z);
   std::vector<Vec3> places;
-  if (size > 0)
-    for (const double far : {1.0, 1.5})
-      places.push_back(
-          grid_.nearest({at.x + far * step * way.x / size, at.y + far * step * way.y / size,
-                         at.z + far * step * way.z / size}));
+  if (size > 0) {
+    way = {step * way.x / size, step * way.y / size, step * way.z / size};
+    places.push_back({leaving(at.x, way.x), leaving(at.y, way.y), leaving(at.z, way.z)});
+    places.push_back(grid_.nearest({at.x + way.x, at.y + way.y, at.z + way.z}));
+    places.push_back(grid_.nearest({at.x + 1.5 * way.x, at.y + 1.5 * way.y, at.z + 1.5 * way.z}));
+  }
   for (const double i : {0, -1, 1})
     for (const double j : {0, -1, 1})
       for (const double k : {0, -1, 1})
@@ -228,14 +281,73 @@ std::vector<Vec3> Separation::places_near(const LocalChanges& changes, std::uint
   return places;
 }
 
-// What is thinner than a step has room where small coordinates have numbers nearer to each other.
+// Those are left that found no place. A cone of very many at one place is left only as long as not
+// too much was tested for that.
+std::vector<std::uint32_t> Separation::move_all(LocalChanges& changes,
+                                                std::vector<std::uint32_t> waiting) {
+  for (double reach = 1; !waiting.empty() && reach <= greatest_reach; reach *= 2) {
+    changes.leave_room(2 * reach * greatest_step(waiting));
+    std::erase_if(waiting, [&](std::uint32_t v) {
+      check_cancel();
+      return move_apart(changes, v, reach);
+    });
+  }
+  return waiting;
+}
+
+// Where one vertex finds no place, the others there are not looked at any more: it is too narrow.
+std::vector<std::uint32_t> Separation::move_out_of_cones(
+    LocalChanges& changes, const std::vector<std::uint32_t>& waiting) {
+  const auto has_tried_all = [&](std::uint32_t v) { return may_leave_cone(changes, v); };
+  if (std::any_of(waiting.begin(), waiting.end(), has_tried_all)) return waiting;
+  most_tested_ = no_limit;
+  std::set<Place> narrow;
+  std::vector<std::uint32_t> cramped;
+  for (const std::uint32_t v : waiting) {
+    check_cancel();
+    bool is_moved = false;
+    if (!narrow.contains(place(v)))
+      for (double reach = 1; !is_moved && reach <= greatest_reach; reach *= 2)
+        is_moved = move_apart(changes, v, reach);
+    if (is_moved) continue;
+    narrow.insert(place(v));
+    cramped.push_back(v);
+  }
+  return cramped;
+}
+
+double Separation::greatest_step(const std::vector<std::uint32_t>& vertices) const {
+  double step = 0;
+  for (const std::uint32_t v : vertices) step = std::max(step, grid_.step(rounded_.position(v)));
+  return step;
+}
+
+void Separation::check_cancel() const {
+  if (options_.cancel && options_.cancel->load(std::memory_order_relaxed)) throw Cancelled();
+}
+
+// Of the neighbours' coordinates.
+double Separation::step_around(const LocalChanges& changes, std::uint32_t vertex) const {
+  double step = 0;
+  for (const std::uint32_t t : changes.star(vertex))
+    for (const std::uint32_t v : rounded_.corners[t])
+      step = std::max(step, grid_.step(rounded_.position(v)));
+  return step;
+}
+
+// Beside the origin, steps are as small as numbers can be: a fraction of those of the neighbours is
+// tried first, as there are numbers in all directions. What is thinner than a step has room where
+// small coordinates have numbers nearer to each other.
 bool Separation::move_apart(LocalChanges& changes, std::uint32_t vertex, double reach) {
   const bool is_middle = std::binary_search(middles_.begin(), middles_.end(), vertex);
   if (!is_middle && many_.at(place(vertex)) == 1) return true;
   const double step = grid_.step(rounded_.position(vertex));
-  return move_to_one_of(changes, vertex, places_near(changes, vertex, reach * step)) ||
-         (reach > 1 &&
-          move_to_one_of(changes, vertex, places_near(changes, vertex, step / (reach * reach))));
+  const double fraction = least_fraction * step_around(changes, vertex);
+  const auto goes = [&](double far) {
+    return move_to_one_of(changes, vertex, places_near(changes, vertex, far));
+  };
+  return (fraction > step && goes(reach * fraction)) || goes(reach * step) ||
+         (reach > 1 && goes(step / (reach * reach)));
 }
 
 bool Separation::move_to_one_of(LocalChanges& changes, std::uint32_t vertex,
@@ -243,8 +355,10 @@ bool Separation::move_to_one_of(LocalChanges& changes, std::uint32_t vertex,
   const Place before = place(vertex);
   for (const Vec3& to : places) {
     if (many_[{to.x + 0.0, to.y + 0.0, to.z + 0.0}] > 0) continue;
+    const bool must_stay = !may_leave_cone(changes, vertex);
+    if (must_stay && !cones_.seems_inside(vertex, rounded_.position(vertex), to)) continue;
     if (!changes.move(vertex, to)) continue;
-    if (!changes.is_free()) {
+    if ((must_stay && !cones_.has_moved_inside()) || !changes.is_free()) {
       changes.undo();
       continue;
     }
@@ -255,6 +369,10 @@ bool Separation::move_to_one_of(LocalChanges& changes, std::uint32_t vertex,
     return true;
   }
   return false;
+}
+
+bool Separation::may_leave_cone(const LocalChanges& changes, std::uint32_t vertex) const {
+  return changes.tested_pairs() <= most_tested_ || cones_.cones_beside(vertex) == 0;
 }
 
 }  // namespace sectile

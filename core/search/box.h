@@ -46,6 +46,11 @@ struct Box {
     for (int k = 0; k < 3; ++k) all = all & (low[k] <= other.high[k]) & (other.low[k] <= high[k]);
     return all;
   }
+  bool contains(const Box& other) const {
+    bool all = true;
+    for (int k = 0; k < 3; ++k) all = all & (low[k] <= other.low[k]) & (other.high[k] <= high[k]);
+    return all;
+  }
   /// In the sum of the three edges.
   bool is_larger_than(const Box& other) const {
     return (high[0] - low[0]) + (high[1] - low[1]) + (high[2] - low[2]) >

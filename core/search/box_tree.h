@@ -31,7 +31,12 @@ class BoxTree {
   /// that contains a box for which it holds.
   template <class Meets, class Visit>
   void query(const Meets& meets, Visit&& visit) const {
-    if (!empty()) query(root(), meets, visit);
+    query(meets, visit, [](std::uint32_t) { return false; });
+  }
+  /// The same without the items whose group satisfies skip(group).
+  template <class Meets, class Visit, class Skip>
+  void query(const Meets& meets, Visit&& visit, const Skip& skip) const {
+    if (!empty()) query(root(), meets, visit, skip);
   }
 
   /// The same, where meets(node) tells it of all that is under a node, too. Of two parts that one
@@ -134,20 +139,24 @@ class BoxTree {
            item_groups_[i] == item_groups_[j];
   }
 
-  template <class Meets, class Visit>
-  void query(Node n, const Meets& meets, Visit& visit) const {
+  template <class Meets, class Visit, class Skip>
+  void query(Node n, const Meets& meets, Visit& visit, const Skip& skip) const {
     if (!meets(box(n))) return;
+    const auto is_skipped = [&](std::uint32_t group) { return group != no_group && skip(group); };
+    if (!group_levels_.empty() && is_skipped(group_levels_[n.level][n.index])) return;
     if (n.level > 0) {
-      query(child(n, 0), meets, visit);
-      if (has_second_child(n)) query(child(n, 1), meets, visit);
+      query(child(n, 0), meets, visit, skip);
+      if (has_second_child(n)) query(child(n, 1), meets, visit, skip);
       return;
     }
-    visit_leaf(n, meets, visit);
+    visit_leaf(n, meets, [&](std::uint32_t i) {
+      if (item_groups_.empty() || !is_skipped(item_groups_[i])) visit(items_[i]);
+    });
   }
   template <class Meets, class Before, class Visit>
   void query_in_order(Node n, const Meets& meets, const Before& before, Visit& visit) const {
     if (!meets(n)) return;
-    if (n.level == 0) return visit_leaf(n, meets, visit);
+    if (n.level == 0) return visit_leaf(n, meets, [&](std::uint32_t i) { visit(items_[i]); });
     Node first = child(n, 0), second = child(n, 1);
     if (!has_second_child(n)) return query_in_order(first, meets, before, visit);
     if (before(second, first)) std::swap(first, second);
@@ -155,10 +164,10 @@ class BoxTree {
     query_in_order(second, meets, before, visit);
   }
   template <class Meets, class Visit>
-  void visit_leaf(Node leaf, const Meets& meets, Visit& visit) const {
+  void visit_leaf(Node leaf, const Meets& meets, const Visit& visit) const {
     const auto [from, to] = range(leaf.index);
     for (std::uint32_t i = from; i < to; ++i)
-      if (meets(leaf_boxes_[leaf.index].get(i - from))) visit(items_[i]);
+      if (meets(leaf_boxes_[leaf.index].get(i - from))) visit(i);
   }
 
   std::vector<std::uint32_t> items_;      // in the order of a curve

@@ -9,6 +9,7 @@
 #include "sectile/arrangement.h"
 #include "sectile/boolean.h"
 #include "sectile/primitives.h"
+#include "sectile/rounding.h"
 #include "sectile/solid.h"
 #include "sectile/transform.h"
 
@@ -111,6 +112,26 @@ TEST(Growth, ImportOfABookOfAllLengths) {
             100),
         n_log_n)
         << lows;
+}
+
+double growth_of_separation(const std::function<Solid(std::size_t)>& make, std::size_t n) {
+  return growth(
+      [&](std::size_t m) {
+        Rounding rounding;
+        rounding.separate_touching = true;
+        return [rounding, solid = make(m)] { rounded_mesh(solid, rounding); };
+      },
+      n);
+}
+
+// All walls touch at both ends of their edge.
+TEST(Growth, SeparationOfABook) {
+  EXPECT_LT(growth_of_separation([](std::size_t n) { return Solid::from_mesh(book(n)); }, 50),
+            n_log_n);
+}
+
+TEST(Growth, SeparationOfABouquet) {
+  EXPECT_LT(growth_of_separation(bouquet, 100), n_log_n);
 }
 
 TEST(Growth, BooksAlongTheirCommonEdge) {

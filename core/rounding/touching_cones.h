@@ -1,0 +1,113 @@
+// Where wedges of material touch: cones that they fill, which have no inside in common.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/kernel.h"
+#include "rounding/rounded_surface.h"
+
+namespace sectile {
+
+/// A site is a place, or an edge, at which several fans of triangles touch. What a fan bounds is
+/// its cone, which need not be convex; from the points on the inner sides of all its planes all of
+/// it is seen. The fan's triangles are members of the cone, and so are those that hang on it and
+/// lie on these inner sides. Members of two cones of one site never meet as they must not, as long
+/// as each of their corners is where it was in the beginning, or strictly on the inner sides: so
+/// they need not be tested against each other.
+///
+/// The cones of a site are all of material, or all of the outside. Each is within half of space,
+/// and none is in another one.
+class TouchingCones {
+ public:
+  struct Member {
+    std::uint32_t site, cone;
+    friend bool operator==(const Member&, const Member&) = default;
+  };
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+  TouchingCones(RoundedSurface& rounded, Kernel& kernel) : rounded_(rounded), kernel_(kernel) {}
+
+  /// A corner of a triangle, or the edge that begins there.
+  struct Corner {
+    std::uint32_t triangle, k;
+  };
+  /// Corners of the fans that touch at a place. The surface must be legal.
+  void add_place(std::span<const Corner> corners);
+  /// Edges of wedges that touch along an edge. Returns their cones; one that has none has no site.
+  /// The surface must be legal.
+  std::vector<Member> add_edge(std::span<const Corner> wedges);
+  /// Looks for what hangs on the fans, after all sites were added.
+  void find_members();
+  /// A new vertex divides the edge of a wedge, and `added` was cut off from a triangle there.
+  void put_on_edge(std::uint32_t vertex, Member wedge) { cone_at_[vertex] = wedge; }
+  void divide(std::uint32_t triangle, std::uint32_t added);
+
+  bool empty() const { return sites_.empty(); }
+  /// How many cones touch the one of which a vertex is the tip, or on whose edge it is.
+  std::size_t cones_beside(std::uint32_t vertex) const;
+
+  /// Does a vertex seem to come into the cone of which it is the tip? Doubles are asked.
+  bool seems_inside(std::uint32_t vertex, const Vec3& from, const Vec3& to) const;
+
+  /// A vertex, around which there are these triangles, is at another place.
+  void note_move(std::uint32_t vertex, std::span<const std::uint32_t> star);
+  /// Is it strictly inside of the cone of which it was the tip, or on whose edge it was?
+  bool has_moved_inside() const { return has_moved_inside_; }
+  /// One of the two is to follow.
+  void keep_move();
+  void undo_move() { moving_.clear(); }
+
+  /// The cones that a triangle lies in, also while a vertex of it moves.
+  std::span<const Member> cones_around(std::uint32_t triangle) const;
+  /// One of its sites, the same until it is not in the cone there any more; then, or if it has no
+  /// site: none.
+  std::uint32_t home(std::uint32_t triangle) const;
+  /// The members of a cone that had their home there at first.
+  std::span<const std::uint32_t> at_home(Member cone) const {
+    return sites_[cone.site].cones[cone.cone].at_home;
+  }
+
+ private:
+  struct Cone {
+    std::vector<PlaneId> planes;
+    std::vector<std::uint32_t> fan;
+    PointId inner;  // if it is not convex: one that may be on the inner sides of all planes
+    std::vector<std::uint32_t> at_home;
+  };
+  struct Site {
+    Sign inside = Sign::negative;  // of all planes
+    std::vector<Cone> cones;
+  };
+  using Fan = std::vector<std::uint32_t>;  // triangles, each a neighbour of the one before it
+  using Bounds = std::array<std::vector<PlaneId>, 2>;  // with all below them, or above
+  struct Memberships {
+    std::uint32_t home = none;
+    std::vector<Member> cones;
+  };
+
+  Fan fan_at(Corner corner) const;
+  Sign side_of_mate(std::uint32_t triangle, std::size_t k) const;
+  Bounds bounds_of(const Fan& fan, std::uint32_t vertex) const;
+  Cone cone_of(Fan fan) const;
+  PointId point_amid(const Fan& fan, Corner corner);
+  bool contain(std::span<const PlaneId> planes, Sign inside, const Fan& fan) const;
+  bool is_strictly_inside(PointId point, Member cone) const;
+  void find_members(Member cone);
+  void add_member(std::uint32_t triangle, Member cone);
+  bool is_member(std::uint32_t triangle, Member cone) const;
+  bool bends_towards_mate(std::uint32_t vertex, std::uint32_t triangle, Member member) const;
+
+  RoundedSurface& rounded_;
+  Kernel& kernel_;
+  std::vector<Site> sites_;
+  std::unordered_map<std::uint32_t, Memberships> memberships_;  // per triangle
+  std::unordered_map<std::uint32_t, Member> cone_at_;           // per vertex: where it is the tip
+  std::unordered_map<std::uint32_t, Memberships> moving_;       // per triangle that moves
+  bool has_moved_inside_ = false;
+};
+
+}  // namespace sectile
