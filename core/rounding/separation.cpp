@@ -346,8 +346,10 @@ bool Separation::move_apart(LocalChanges& changes, std::uint32_t vertex, double 
   const auto goes = [&](double far) {
     return move_to_one_of(changes, vertex, places_near(changes, vertex, far));
   };
-  return (fraction > step && goes(reach * fraction)) || goes(reach * step) ||
-         (reach > 1 && goes(step / (reach * reach)));
+  const auto goes_steps = [&](double of) {
+    return goes(reach * of) || (reach > 1 && goes(of / (reach * reach)));
+  };
+  return (fraction > step && goes_steps(fraction)) || goes_steps(step);
 }
 
 bool Separation::move_to_one_of(LocalChanges& changes, std::uint32_t vertex,

@@ -150,17 +150,13 @@ TEST(SeparateCrowds, ABouquetThatWasCutOut) {
   expect_separated(boolean(around(), bouquet(16, 0.1, 4), Operation::subtract));
 }
 
-// Spikes in pits of spikes, whose tips are all in one place: some fans have others inside.
+// Spikes in pits of spikes, whose tips are all in one place: fans have others inside.
 TEST(SeparateCrowds, SpikesInPits) {
-  for (const int n : {2, 6}) {
-    const double width = 0.9 / std::sqrt(n);
-    const Solid pits =
-                    boolean(bouquet(n, width, 5), bouquet(n, 0.7 * width, 5), Operation::subtract),
-                full = boolean(pits, bouquet(n, 0.4 * width, 4), Operation::unite);
-    SCOPED_TRACE(n);
-    expect_separated(full);
-    expect_separated(boolean(around(), full, Operation::subtract));
-  }
+  const double width = 0.6;
+  const Solid pits = boolean(bouquet(2, width, 5), bouquet(2, 0.7 * width, 5), Operation::subtract),
+              full = boolean(pits, bouquet(2, 0.4 * width, 4), Operation::unite);
+  expect_separated(full, {Numbers::doubles});
+  expect_separated(boolean(around(), full, Operation::subtract), {Numbers::doubles});
 }
 
 // The same, but only one is hollow, and full of spikes.
