@@ -126,7 +126,7 @@ double growth_of_separation(const std::function<Solid(std::size_t)>& make, std::
 
 // All walls touch at both ends of their edge.
 TEST(Growth, SeparationOfABook) {
-  EXPECT_LT(growth_of_separation([](std::size_t n) { return Solid::from_mesh(book(n)); }, 50),
+  EXPECT_LT(growth_of_separation([](std::size_t n) { return Solid::from_mesh(book(n)); }, 200),
             n_log_n);
 }
 

@@ -174,6 +174,25 @@ TEST(BoxTree, SkipsExactlyThePairsOfUnwantedGroups) {
     }
 }
 
+TEST(BoxTree, QueriesSkipExactlyTheItemsOfUnwantedGroups) {
+  Boxes make(4);
+  for (int round = 0; round < 100; ++round) {
+    const std::vector<Box> boxes = make.make(static_cast<std::size_t>(make.below(60)), 10, 6);
+    const std::vector<std::uint32_t> group = make.groups(boxes.size(), 3);
+    const Box around = make.make(1, 10, 6).front();
+    const auto is_skipped = [](std::uint32_t g) { return g != 1; };
+    std::vector<std::uint32_t> found, expected;
+    BoxTree(boxes, group)
+        .query([&](const Box& b) { return overlap(b, around); },
+               [&](std::uint32_t i) { found.push_back(i); }, is_skipped);
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+      if (overlap(boxes[i], around) && (group[i] == BoxTree::no_group || !is_skipped(group[i])))
+        expected.push_back(i);
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected);
+  }
+}
+
 TEST(BoxTree, FindsItsOwnPairsButThoseWithinOneGroup) {
   Boxes boxes(7);
   for (const int kinds : {1, 3, 40})
