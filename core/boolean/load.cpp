@@ -1,9 +1,13 @@
 // Finds the pairs of faces that may meet, and loads these faces.
 #include <algorithm>
+#include <atomic>
+#include <limits>
+#include <optional>
 
 #include "boolean/boolean.h"
 #include "boolean/collect.h"
 #include "boolean/common_hubs.h"
+#include "boolean/crowded_lines.h"
 #include "boolean/equal_planes.h"
 #include "boolean/tables.h"
 #include "parallel/scratch.h"
@@ -127,14 +131,19 @@ void make_trees(const Workspace& w, const SolidData& solid, std::span<const std:
   for_each(w, slots.size(), 16, [&](std::size_t i) { solid.slot(slots[i]).block->tree(); });
 }
 
-// Pairs of faces that may meet, but for those that have a hub in common.
-FacePairs near_pairs(const Workspace& w, const SolidData& a, const SolidData& b,
-                     const SlotPairs& slots, const CommonHubs& hubs) {
+// Pairs of faces that may meet, but for those that have a hub in common. None if there are more
+// than `most`.
+std::optional<FacePairs> near_pairs(const Workspace& w, const SolidData& a, const SolidData& b,
+                                    const SlotPairs& slots, const CommonHubs& hubs,
+                                    std::size_t most) {
   parallel::Scratch<NearFaces> scratch;
-  return joined(collect_ranges<FacePairs>(
+  std::atomic<std::size_t> count = 0;
+  auto found = collect_ranges<FacePairs>(
       w, slots.pairs().size(), 8, [&](std::size_t first, std::size_t last, FacePairs& out) {
         scratch.lend([&](NearFaces& near) {
-          for (const auto& [s, t] : slots.pairs().subspan(first, last - first))
+          for (const auto& [s, t] : slots.pairs().subspan(first, last - first)) {
+            if (count.load(std::memory_order_relaxed) > most) return;
+            const std::size_t before = out.size();
             near(
                 *a.slot(s).block, *b.slot(t).block,
                 [&, s = s, t = t](std::uint32_t f, std::uint32_t g) {
@@ -143,8 +152,57 @@ FacePairs near_pairs(const Workspace& w, const SolidData& a, const SolidData& b,
                 [&, s = s, t = t](std::uint32_t hub, std::uint32_t across) {
                   return !hubs.empty() && hubs.are_of_one_fan(s, hub, t, across);
                 });
+            count.fetch_add(out.size() - before, std::memory_order_relaxed);
+          }
         });
-      }));
+      });
+  if (count > most) return {};
+  return joined(std::move(found));
+}
+FacePairs near_pairs(const Workspace& w, const SolidData& a, const SolidData& b,
+                     const SlotPairs& slots, const CommonHubs& hubs) {
+  return *near_pairs(w, a, b, slots, hubs, std::numeric_limits<std::size_t>::max());
+}
+
+// For each face near the other solid. Where there are more, it is worth while to find out why.
+constexpr std::size_t many_pairs = 8;
+
+std::size_t face_count(const SolidData& solid, std::span<const std::uint32_t> slots) {
+  std::size_t count = 0;
+  for (const std::uint32_t s : slots) count += solid.slot(s).faces;
+  return count;
+}
+
+// Whoever follows the phases, or asks for all that is cut, is shown all that meets.
+bool may_leave_out(const Workspace& w, const Wanted& wanted) {
+  return !w.options.observer && !wanted.operations.empty();
+}
+
+// All pairs that may meet, or, if very many do for nothing, the lines where they do. Pairs of hubs
+// are among them as far as directions tell.
+std::optional<CrowdedLines> lines_or_pairs(const Workspace& w, const SolidData& a,
+                                           const SolidData& b, const SlotPairs& slots,
+                                           const CommonHubs& hubs, const Wanted& wanted,
+                                           FacePairs& pairs) {
+  if (may_leave_out(w, wanted)) {
+    const PerOperand<std::span<const std::uint32_t>> near{
+        {slots.slots(Operand::a), slots.slots(Operand::b)}};
+    const std::size_t most =
+        many_pairs * (face_count(a, near[Operand::a]) + face_count(b, near[Operand::b]));
+    if (auto few = near_pairs(w, a, b, slots, hubs, most)) {
+      pairs = *std::move(few);
+      hubs.add_pairs(pairs);
+      if (pairs.size() <= most) return {};
+    }
+    CrowdedLines lines(a, b, near);
+    if (!lines.empty()) {
+      pairs = lines.pairs();
+      return lines;
+    }
+  }
+  pairs = near_pairs(w, a, b, slots, hubs);
+  hubs.add_pairs(pairs);
+  return {};
 }
 
 // Of one solid, by the pairs of its faces, `loaded`, with those of the other one.
@@ -200,18 +258,17 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
   make_trees(w, a, slots.slots(Operand::a));
   make_trees(w, b, slots.slots(Operand::b));
   const CommonHubs hubs(a, b, {{slots.slots(Operand::a), slots.slots(Operand::b)}});
-  pairs = near_pairs(w, a, b, slots, hubs);
-  hubs.add_pairs(pairs);
+  const std::optional<CrowdedLines> lines = lines_or_pairs(w, a, b, slots, hubs, wanted, pairs);
   NearFaceMarks of_a(a, slots.slots(Operand::a)), of_b(b, slots.slots(Operand::b));
   for (const auto& [f, g] : pairs) {
     of_a.mark(f);
     of_b.mark(g);
   }
-  const PerOperand<std::vector<FaceId>> at_hubs = hubs.faces();
-  for (const FaceId f : at_hubs[Operand::a]) of_a.mark(f);
-  for (const FaceId g : at_hubs[Operand::b]) of_b.mark(g);
+  const PerOperand<std::vector<FaceId>> in_fans = lines ? lines->faces() : hubs.faces();
+  for (const FaceId f : in_fans[Operand::a]) of_a.mark(f);
+  for (const FaceId g : in_fans[Operand::b]) of_b.mark(g);
   ToLoad to_load_of_a{of_a.marked(), {}}, to_load_of_b{of_b.marked(), {}};
-  if (hubs.empty()) {  // what meets there is in no pair yet
+  if (hubs.empty() && !lines) {  // what meets there is in no pair yet
     const PerOperand<const SolidData*> of{{&a, &b}};
     to_load_of_a.far_loops = far_loops(w, Operand::a, of, slots, pairs, to_load_of_a.faces, wanted);
     to_load_of_b.far_loops = far_loops(w, Operand::b, of, slots, pairs, to_load_of_b.faces, wanted);
@@ -224,7 +281,12 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
   }
   unite_equal_planes(w, pairs);
   complete_patches(w.patch, w.geometry, *w.kernel);
-  hubs.add_pairs_of_owners(w, pairs);
+  if (lines) {
+    lines->mark_vertices(w);
+    add_owners_on_lines(w, pairs);
+  } else {
+    hubs.add_pairs_of_owners(w, pairs);
+  }
   sort(pairs, w.patch[Operand::a].loaded_faces);
 }
 

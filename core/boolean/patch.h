@@ -49,6 +49,9 @@ struct Patch {
   std::vector<FarLoops> far_loops;
 
   Tested tested;
+  /// Per loaded vertex: is it where both boundaries may meet without a contact that says so
+  /// (boolean/crowded_lines.h)? Empty if there is no such place.
+  Table<VertexId, std::uint8_t> on_crowded_line;
 
   std::size_t loaded_faces = 0, loaded_edges = 0, loaded_vertices = 0;
   bool whole = false;  ///< all faces of the operand are loaded

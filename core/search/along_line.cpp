@@ -52,6 +52,23 @@ double AlongLine::error(const Vec3& p) const {
   return 64 * rounding::unit * m * (1 + std::abs(along / length_));
 }
 
+// The axes across are in the order in which the turn from one to the other is counter-clockwise,
+// seen from where the axis along the line leads to.
+Sign AlongLine::turn(const Vec3& from, const Vec3& to) const {
+  const Vec3 u = seen(from), v = seen(to);
+  const double p = u.x * v.y, q = u.y * v.x, off_u = error(from), off_v = error(to);
+  const double bound = off_u * (std::abs(v.x) + std::abs(v.y)) +
+                       off_v * (std::abs(u.x) + std::abs(u.y)) + 2 * off_u * off_v +
+                       4 * rounding::unit * (std::abs(p) + std::abs(q));
+  if (!(std::abs(p - q) > 2 * bound)) return Sign::zero;  // twice, as the bound was rounded, too
+  return sign_of(p - q) * sign_of(length_);
+}
+
+// Rounding to nearest is monotonic.
+Sign AlongLine::along(const Vec3& from, const Vec3& to) const {
+  return sign_of(component(to, axis_) - component(from, axis_)) * sign_of(length_);
+}
+
 Box AlongLine::reach(std::span<const Vec3> on_line) const {
   Box box = Box::everything();
   Bounds bounds;

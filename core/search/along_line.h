@@ -6,6 +6,7 @@
 
 #include <span>
 
+#include "numbers/sign.h"
 #include "search/box.h"
 
 namespace sectile {
@@ -21,6 +22,12 @@ class AlongLine {
   Box box(std::span<const Vec3> on_line, std::span<const Vec3> beside) const;
   /// For all directions; how far points on the line reach.
   Box reach(std::span<const Vec3> on_line) const;
+
+  /// The shorter way around the line from the direction of one point to that of another:
+  /// counter-clockwise, seen from where the line leads to? Zero if doubles do not tell.
+  Sign turn(const Vec3& from, const Vec3& to) const;
+  /// Do two points on the line follow each other as its ends do? Zero if doubles do not tell.
+  Sign along(const Vec3& from, const Vec3& to) const;
 
  private:
   Vec3 seen(const Vec3& p) const;

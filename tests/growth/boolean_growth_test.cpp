@@ -179,14 +179,21 @@ TEST(Growth, CellsOfBooksWhoseWallsAllEndElsewhere) {
   EXPECT_LT(growth(cells_of_two, 25), 2.25);
 }
 
-// n places with n edges around each; n³ if each edge were recorded beside each other one at each.
+// Walls of both are beside each other two by two: no other end of a wall divides them. All may
+// begin in one point.
 TEST(Growth, BooleansOfBooksWhoseWallsAllEndElsewhere) {
-  const auto union_of_two = [](std::size_t n) {
-    const Solid a = Solid::from_mesh(book(n, 1e-4, 1e-4)),
-                b = transformed(a, Transform::translation({0, 0, 0.5}));
-    return [a, b] { boolean(a, b, Operation::unite); };
-  };
-  EXPECT_LT(growth(union_of_two, 20), 2.7);
+  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract}) {
+    for (const auto& [turn, lows] : {std::pair(0.0, 1e-4), {90.0, 1e-4}, {90.0, 0.0}}) {
+      const auto of_two = [&, turn = turn, lows = lows](std::size_t n) {
+        const Solid a = Solid::from_mesh(book(n, lows, 1e-4)),
+                    b = transformed(a, Transform::translation({0, 0, 5e3 * lows}) *
+                                           Transform::rotation_degrees(
+                                               {0, 0, 1}, turn / static_cast<double>(n)));
+        return [=] { boolean(a, b, operation); };
+      };
+      EXPECT_LT(growth(of_two, 100), n_log_n);
+    }
+  }
 }
 
 }  // namespace

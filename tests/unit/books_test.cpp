@@ -11,9 +11,14 @@
 #include "cases.h"
 #include "sectile/sectile.h"
 #include "unit/brute_force_solid.h"
+#include "unit/leaves.h"
 
 namespace sectile {
 namespace {
+
+using test::add_leaf;
+using test::is_accepted;
+using test::Leaf;
 
 // Half-planes around the z axis, which are numbered, make a turn.
 constexpr int turn = 120;
@@ -166,6 +171,63 @@ TEST(Books, OfPagesThatAreAllOfDifferentLengths) {
   expect_what_pages_are(of_a, of_b, slanted);
 }
 
+// Very many lengths: pages far from each other are not compared along the line.
+std::vector<Stretches> all_lengths(std::mt19937& random) {
+  const auto below = [&](unsigned n) { return static_cast<double>(random() % n); };
+  std::vector<Stretches> kinds;
+  for (int i = 0; i < 200; ++i) {
+    const double low = 0.01 * below(100), high = 4 - 0.01 * below(100);
+    kinds.push_back({{low, high}});
+    if (i % 4 == 0) kinds.back() = {{low, 1.5 + 0.01 * below(20)}, {2 - 0.01 * below(20), high}};
+  }
+  return kinds;
+}
+
+TEST(Books, OfPagesOfVeryManyLengths) {
+  for (unsigned seed = 0; seed < 2; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const std::vector<Stretches> kinds = all_lengths(random);
+    const auto of_a = random_pages(random, kinds), of_b = random_pages(random, kinds);
+    expect_what_pages_are(of_a, of_b, seed % 2 == 0 ? upright : slanted);
+  }
+}
+
+// Of one operand, one page is wide, or pages meet a body across the line, maybe with a slit that
+// begins there.
+TEST(Books, OfVeryManyLengthsWithMoreAtTheLine) {
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const Transform& placed = seed % 2 == 0 ? upright : slanted;
+    const std::vector<Stretches> kinds = all_lengths(random);
+    const Solid a = transformed(book(random_pages(random, kinds)), placed),
+                b = transformed(book(random_pages(random, kinds)), placed);
+    Solid more = book(std::vector<Page>{{3, 3 + 50, 1.7, 1.8, 0.5}});
+    if (seed % 3 == 0) more = block({-0.3, -0.4, 1.25}, {0.35, 0.45, 1.75});
+    if (seed % 3 == 1)
+      more = boolean(block({-0.3, -0.4, -1}, {0.35, 0.45, 5}), more, Operation::subtract);
+    more = transformed(more, placed);
+    const Solid with = boolean(b, more, Operation::unite),
+                without = boolean(b, more, Operation::subtract),
+                common = boolean(a, b, Operation::intersect),
+                a_in_more = boolean(a, more, Operation::intersect);
+    for (const Solid& solid : {with, without, common, a_in_more}) expect_valid(solid);
+    EXPECT_TRUE(boolean(a, with, Operation::intersect) ==
+                boolean(common, a_in_more, Operation::unite));
+    EXPECT_TRUE(boolean(a, without, Operation::intersect) ==
+                boolean(common, more, Operation::subtract));
+    EXPECT_TRUE(boolean(a, without, Operation::unite) ==
+                boolean(boolean(a, b, Operation::unite), boolean(more, a, Operation::subtract),
+                        Operation::subtract));
+    EXPECT_TRUE(boolean(a, with, Operation::subtract) ==
+                boolean(boolean(a, b, Operation::subtract), more, Operation::subtract));
+    EXPECT_TRUE(boolean(with, a, Operation::subtract) ==
+                boolean(boolean(b, a, Operation::subtract), boolean(more, a, Operation::subtract),
+                        Operation::unite));
+  }
+}
+
 // A solid across the line is united with a book, or cut out of it: what the line runs through.
 TEST(Books, WithASolidAcrossTheLine) {
   const Stretches kinds[] = {{{0, 4}}, {{0, 2}}, {{1, 4}}};
@@ -289,51 +351,6 @@ TEST(Books, WithABouquetInTheLine) {
       EXPECT_TRUE(boolean(boolean(a, b, Operation::subtract), both, Operation::unite) == a);
       EXPECT_TRUE(boolean(boolean(b, a, Operation::subtract), both, Operation::unite) == b);
     }
-  }
-}
-
-// The half-planes through these points on the rim of a square, in a turn.
-std::array<double, 2> on_square(int at) {
-  constexpr int half = 24, side = 2 * half;
-  const int along = at % side - half;
-  const std::array<double, 2> corners[] = {{double(half), double(along)},
-                                           {double(-along), double(half)},
-                                           {double(-half), double(-along)},
-                                           {double(along), double(-half)}};
-  return corners[at / side % 4];
-}
-
-struct Leaf {
-  int first, second;  // half-planes
-  int low, high;
-  bool inside_out = false;
-};
-
-void add_leaf(const Leaf& leaf, bool sheared, PolygonMesh& mesh) {
-  const auto o = static_cast<std::uint32_t>(mesh.positions.size());
-  for (const int z : {leaf.low, leaf.high}) {
-    const double shift = sheared ? 2 * z : 0;
-    mesh.positions.push_back({shift, 0, 16.0 * z});
-    for (const int at : {leaf.first, leaf.second}) {
-      const auto [x, y] = on_square(at);
-      mesh.positions.push_back({x + shift, y, 16.0 * z});
-    }
-  }
-  std::vector<std::array<std::uint32_t, 3>> faces{{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},
-                                                  {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
-  for (auto [a, b, c] : faces) {
-    if (leaf.inside_out) std::swap(b, c);
-    mesh.face_sizes.push_back(3);
-    mesh.indices.insert(mesh.indices.end(), {o + a, o + b, o + c});
-  }
-}
-
-bool is_accepted(const PolygonMesh& mesh) {
-  try {
-    Solid::from_mesh(mesh);
-    return true;
-  } catch (const InvalidSolid&) {
-    return false;
   }
 }
 

@@ -19,11 +19,24 @@ FreePoints::FreePoints(Workspace& w, const Contacts& contacts, Operand operand)
     if (mine.is_vertex()) vertex_in_contact_[mine.vertex()] = 1;
     if (mine.is_edge()) edge_in_contact_[mine.edge()] = 1;
   }
+  add_crowded_lines();
   if (!patch_.tested.any()) return;
   for (const VertexId v : vertex_in_contact_.ids())
     vertex_in_contact_[v] |= vertex_in_contact_[patch_.tested(v)];
   for (const EdgeId e : edge_in_contact_.ids())
     edge_in_contact_[e] |= edge_in_contact_[patch_.tested(e)];
+}
+
+// There, contacts do not tell all that meets.
+void FreePoints::add_crowded_lines() {
+  const auto& on_line = patch_.on_crowded_line;
+  for (const VertexId v : on_line.ids()) vertex_in_contact_[v] |= on_line[v];
+  for (const EdgeId e : brep_.edges()) {
+    const HalfEdgeId h = Brep::half_edge(e);
+    const VertexId from = brep_.from(h), to = brep_.to(h);
+    if (from.value() < on_line.size() && to.value() < on_line.size())
+      edge_in_contact_[e] |= on_line[from] & on_line[to];
+  }
 }
 
 PointId FreePoints::on_shell_of(FaceId start) {

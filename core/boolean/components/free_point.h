@@ -16,6 +16,7 @@ class FreePoints {
   PointId on_shell_of(FaceId face);
 
  private:
+  void add_crowded_lines();
   PointId corner_beyond(HalfEdgeId in_solid);
   PointId within_an_edge(std::vector<EdgeId>& edges);
   PlaneId plane_between(PointId from, PointId to, int axis);

@@ -313,8 +313,9 @@ Contacts reduce(Workspace& w, const FacePairs& candidates) {
   const ContactTable table = find_contacts(w, candidates, found);
   find_segments(w, table, found);
   divide_rows(w, found);
-  split_at_places(w, found);
-  if (add_crossings(w, found)) split_at_places(w, found);
+  const Clusters clusters(w, candidates);
+  split_at_places(w, clusters, found);
+  if (add_crossings(w, found)) split_at_places(w, clusters, found);
   add_touched_faces(w, table, found);
   return found;
 }

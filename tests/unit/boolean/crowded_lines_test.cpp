@@ -1,0 +1,98 @@
+// Two books of which no two pages are of one length: what is tested, and what is not.
+#include "boolean/crowded_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "boolean/boolean.h"
+#include "boolean/reduction/clusters.h"
+#include "sectile/boolean.h"
+#include "sectile/trace.h"
+
+namespace sectile {
+namespace {
+
+constexpr int pages = 60;
+
+// Pages between half-planes around the z axis; `part` of the way to the next page is room for one.
+Solid book(double first, double part, double low) {
+  PolygonMesh mesh;
+  for (int i = 0; i < pages; ++i) {
+    const auto o = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const double z : {low + 0.001 * (7 * i % pages), low + 1 + 0.001 * (11 * i % pages)}) {
+      mesh.positions.push_back({0, 0, z});
+      for (const double at : {first + i, first + i + part}) {
+        const double angle = 2 * std::numbers::pi * at / pages;
+        mesh.positions.push_back({std::cos(angle), std::sin(angle), z});
+      }
+    }
+    mesh.face_sizes.insert(mesh.face_sizes.end(), {3, 3, 4, 4, 4});
+    for (const std::uint32_t k :
+         {0u, 2u, 1u, 3u, 4u, 5u, 0u, 1u, 4u, 3u, 1u, 2u, 5u, 4u, 2u, 0u, 3u, 5u})
+      mesh.indices.push_back(o + k);
+  }
+  return Solid::from_mesh(mesh);
+}
+
+struct Reduced {
+  Reduced(const Solid& a, const Solid& b, const Wanted& wanted, BooleanOptions o = {})
+      : options(std::move(o)), w(options) {
+    load(w, *a.data(), *b.data(), pairs, wanted);
+    clusters = Clusters(w, pairs).count();
+    contacts = reduce(w, pairs);
+  }
+  bool leaves_out() const { return !w.patch[Operand::a].on_crowded_line.empty(); }
+
+  BooleanOptions options;
+  Workspace w;
+  FacePairs pairs;
+  std::uint32_t clusters = 0;
+  Contacts contacts;
+};
+
+const Operation unite[] = {Operation::unite};
+
+TEST(CrowdedLines, PagesThatOverlapAreAClusterEach) {
+  const Reduced found(book(0, 0.5, 0), book(0.25, 0.5, 0.5), {unite});
+  EXPECT_TRUE(found.leaves_out());
+  EXPECT_EQ(found.clusters, unsigned(pages));
+  // Walls, ends of them, and each page's own edge along the line.
+  EXPECT_LT(found.pairs.size(), 30u * pages);
+  EXPECT_LT(found.contacts.segments.size(), 30u * pages);
+}
+
+TEST(CrowdedLines, PagesBesideEachOtherMeetInNothing) {
+  const Reduced found(book(0, 0.3, 0), book(0.5, 0.3, 0.5), {unite});
+  EXPECT_TRUE(found.leaves_out());
+  EXPECT_EQ(found.contacts.segments.size(), 0u);
+}
+
+// What is beside the line in one direction only says nothing of the others.
+TEST(CrowdedLines, PagesAllAroundAreOneCluster) {
+  const Reduced found(book(0, 0.7, 0), book(0.5, 0.7, 0.5), {unite});
+  EXPECT_TRUE(found.leaves_out());
+  EXPECT_EQ(found.clusters, 1u);
+}
+
+TEST(CrowdedLines, NothingIsLeftOutWhereAllIsAskedFor) {
+  struct Listener : Observer {
+    void phase_done(Phase, const std::vector<TraceEvent>&) override {}
+  } listener;
+  BooleanOptions observed;
+  observed.observer = &listener;
+  const Solid a = book(0, 0.5, 0), b = book(0.25, 0.5, 0.5);
+  EXPECT_FALSE(Reduced(a, b, {}).leaves_out());
+  EXPECT_FALSE(Reduced(a, b, {unite}, observed).leaves_out());
+}
+
+TEST(CrowdedLines, RaysBeginBesideTheLine) {
+  const Solid a = book(0, 0.3, 0), b = book(0.5, 0.3, 0.5);
+  EXPECT_TRUE(boolean(a, b, Operation::intersect).is_empty());
+  EXPECT_TRUE(boolean(a, b, Operation::subtract) == a);
+  EXPECT_NEAR(boolean(a, b, Operation::unite).volume(), a.volume() + b.volume(), 1e-12);
+}
+
+}  // namespace
+}  // namespace sectile

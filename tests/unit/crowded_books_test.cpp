@@ -1,0 +1,60 @@
+// What Booleans of books leave out matters nowhere: the same comes out with an observer, for whom
+// nothing is left out.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "sectile/sectile.h"
+#include "unit/leaves.h"
+
+namespace sectile {
+namespace {
+
+// Leaves anywhere, some wide, some of them slits in others, as long as they make a solid; they
+// begin in one of so many places.
+Solid random_book(std::mt19937& random, int count, int lows, bool sheared) {
+  constexpr int turn = 192;
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  PolygonMesh mesh;
+  for (int made = 0, tries = 0; made < count && tries < 6 * count; ++tries) {
+    const int first = below(turn), width = tries % 17 == 0 ? 20 + below(75) : 1 + below(4),
+              low = below(lows);
+    PolygonMesh more = mesh;
+    test::add_leaf({first, (first + width) % turn, low, low + 1 + below(60), below(12) == 0},
+                   sheared, more);
+    if (!test::is_accepted(more)) continue;
+    mesh = std::move(more);
+    ++made;
+  }
+  return Solid::from_mesh(mesh);
+}
+
+struct Listener : Observer {
+  void phase_done(Phase, const std::vector<TraceEvent>&) override {}
+};
+
+void expect_the_same_for_an_observer(const Solid& a, const Solid& b) {
+  Listener listener;
+  BooleanOptions observed;
+  observed.observer = &listener;
+  for (const Operation op : {Operation::unite, Operation::intersect, Operation::subtract}) {
+    const Solid result = boolean(a, b, op), all = boolean(a, b, op, observed);
+    EXPECT_TRUE(result == all);
+    EXPECT_TRUE(validate(result).empty());
+    EXPECT_TRUE(boolean(result, b, Operation::subtract) == boolean(all, b, Operation::subtract));
+  }
+}
+
+TEST(CrowdedBooks, AreWhatTheyAreForAnObserver) {
+  for (const int lows : {40, 3, 1})
+    for (unsigned seed = 0; seed < 2; ++seed) {
+      SCOPED_TRACE(lows);
+      SCOPED_TRACE(seed);
+      std::mt19937 random(seed);
+      const Solid a = random_book(random, 45, lows, seed % 2 == 1);
+      expect_the_same_for_an_observer(a, random_book(random, 45, lows, seed % 2 == 1));
+    }
+}
+
+}  // namespace
+}  // namespace sectile
