@@ -10,6 +10,7 @@
 #include "parallel/parallel.h"
 #include "parallel/scratch.h"
 #include "search/hub_fans.h"
+#include "search/space_partition.h"
 #include "sectile/errors.h"
 #include "selftest/edges_on_line.h"
 #include "selftest/flat_block.h"
@@ -33,7 +34,7 @@ struct CornersOf {
 
 struct Found {
   std::vector<SelfContact> contacts;
-  std::size_t tests = 0;
+  std::size_t tests = 0, node_pairs = 0;
 };
 
 // The work is divided by the nodes of one level: each meets itself and those that come after it.
@@ -56,39 +57,55 @@ class Traversal {
         pairs_(surface, kernel) {}
 
   std::vector<SelfContact> run() {
-    try {
-      traverse();
-    } catch (const Crowded&) {
-      is_crowded_ = false;
-      hubs_ = std::move(along_lines_);
-      fans_ = NodeLabels(tree_, hubs_.of_polygon());
-      found_.emplace();
-      begun_at_ = told_;
-      traverse();
-    }
+    while (!traversed()) start_again();
     if (control_.progress) control_.progress(1);
     return sorted();
   }
 
  private:
-  /// Very many triangles were found to meet along lines.
+  /// There is a better way for very many triangles that are near each other.
   struct Crowded {};
 
-  // More tests than so many for each triangle are a reason to look for such lines.
-  static constexpr std::size_t many_tests = 32;
-  static constexpr std::size_t tests_at_a_time = 1024;
+  // More tests than so many for each triangle are a reason to look for lines along which many meet;
+  // more tests and pairs of nodes, to divide space.
+  static constexpr std::size_t many_tests = 32, very_many = 128;
+  static constexpr std::size_t counted_at_a_time = 1024;
+  static constexpr std::size_t least_cells = 64;
+
+  bool traversed() {
+    try {
+      traverse();
+      return true;
+    } catch (const Crowded&) {
+      return false;
+    }
+  }
+
+  void start_again() {
+    if (along_lines_.any_lines()) {
+      hubs_ = std::move(along_lines_);
+      fans_ = NodeLabels(tree_, hubs_.of_polygon());
+      along_lines_ = HubFans();
+    } else {
+      space_.emplace(rods(), labels_of_untested());
+    }
+    is_crowded_ = false;
+    tests_ = node_pairs_ = 0;
+    found_.emplace();
+    begun_at_ = told_;
+  }
 
   void traverse() {
     const std::size_t level = std::min<std::size_t>(tree_.levels() - 1, 2);
-    const std::size_t count = tree_.nodes(level);
+    std::vector<SpacePartition::Cell> cells;
+    if (space_) cells = space_->cells(least_cells);
+    const std::size_t count = space_ ? cells.size() : tree_.nodes(level);
     steps_ = count + hubs_.count() + patch_pairs_.count();
     done_ = 0;
-    parallel::loop(0, count, [&](std::size_t node) {
+    parallel::loop(0, count, [&](std::size_t part) {
       check_cancelled();
       found_->lend([&](Found& found) {
-        Visitor visitor{*this, found};
-        visitor.meet_itself(level, node);
-        visitor.meet_later(level, node, tree_.boxes(level, node).all(), tree_.levels() - 1, 0);
+        space_ ? test_cell(cells[part], found) : test_node(level, part, found);
       });
       note_step();
     });
@@ -101,6 +118,19 @@ class Traversal {
       check_cancelled();
       found_->lend([&](Found& found) { test_pairs_of_patch(patch, found); });
       note_step();
+    });
+  }
+
+  void test_node(std::size_t level, std::size_t node, Found& found) {
+    Visitor visitor{*this, found};
+    visitor.meet_itself(level, node);
+    visitor.meet_later(level, node, tree_.boxes(level, node).all(), tree_.levels() - 1, 0);
+  }
+
+  void test_cell(const SpacePartition::Cell& cell, Found& found) {
+    space_->for_each_pair(cell, [&](std::uint32_t i, std::uint32_t j) {
+      const std::uint32_t s = tree_.order()[i], t = tree_.order()[j];
+      if (!hubs_.same(s, t)) test(s, t, found);
     });
   }
 
@@ -139,6 +169,7 @@ class Traversal {
 
     // Two nodes of one level.
     void meet(std::size_t level, std::size_t a, std::size_t b) {
+      if (++found.node_pairs % counted_at_a_time == 0) all.note_node_pairs();
       if (all.known(level, a, b)) return;
       const EightBoxes &of_a = all.tree_.boxes(level, a), &of_b = all.tree_.boxes(level, b);
       for (unsigned bits = of_a.overlapping(of_b.all()); bits != 0; bits &= bits - 1) {
@@ -186,7 +217,7 @@ class Traversal {
 
   void test(std::uint32_t s, std::uint32_t t, Found& found) {
     if (enough_.load(std::memory_order_relaxed)) return;
-    if (++found.tests % tests_at_a_time == 0) note_tests();
+    if (++found.tests % counted_at_a_time == 0) note_tests();
     const auto contact = pairs_.test(std::min(s, t), std::max(s, t));
     if (!contact) return;
     found.contacts.push_back(*contact);
@@ -203,16 +234,45 @@ class Traversal {
     return fans;
   }
 
-  // Of walls that have one line in common, each meets all others: the boxes of all hold the line.
   void note_tests() {
+    tests_ += counted_at_a_time;
+    if (tests_ > many_tests * surface_.size() && !looked_for_lines_.exchange(true))
+      look_for_lines();
+    note_crowd();
+  }
+  void note_node_pairs() {
+    node_pairs_ += counted_at_a_time;
+    note_crowd();
+  }
+  void note_crowd() {
+    if (!space_ && tests_ + node_pairs_ > very_many * surface_.size()) is_crowded_ = true;
     if (is_crowded_) throw Crowded();
-    tests_ += tests_at_a_time;
-    if (tests_ <= many_tests * surface_.size() || looked_for_lines_.exchange(true)) return;
+  }
+
+  // Of walls that have one line in common, each meets all others: the boxes of all hold the line.
+  void look_for_lines() {
     along_lines_ = fans_around_hubs();
     along_lines_.join_along_crowded_lines(tree_.order(), kernel_, CornersOf{surface_});
-    if (!along_lines_.any_lines()) return;
-    is_crowded_ = true;
-    throw Crowded();
+    if (along_lines_.any_lines()) is_crowded_ = true;
+  }
+
+  // Of the triangles in the order of the tree.
+  std::vector<SpacePartition::Rod> rods() const {
+    std::vector<SpacePartition::Rod> rods;
+    rods.reserve(tree_.order().size());
+    for (const std::uint32_t t : tree_.order()) {
+      std::array<Vec3, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = geometry_.position(surface_.corners[t][k]);
+      rods.emplace_back(corners);
+    }
+    return rods;
+  }
+  // Two of one label are not tested, or with their fan.
+  std::vector<std::uint32_t> labels_of_untested() const {
+    std::vector<std::uint32_t> labels;
+    for (const std::uint32_t t : tree_.order())
+      labels.push_back(hubs_.of_polygon().empty() ? Hubs::none : hubs_.of_polygon()[t]);
+    return labels;
   }
 
   // What leaves a line in different directions meets in edges on it only.
@@ -262,6 +322,10 @@ class Traversal {
     std::sort(all.begin(), all.end(), [](const SelfContact& a, const SelfContact& b) {
       return std::tie(a.first, a.second) < std::tie(b.first, b.second);
     });
+    const auto same = [](const SelfContact& a, const SelfContact& b) {
+      return a.first == b.first && a.second == b.second;
+    };
+    all.erase(std::unique(all.begin(), all.end(), same), all.end());
     return all;
   }
 
@@ -278,9 +342,10 @@ class Traversal {
   HubFans hubs_, along_lines_;
   NodeLabels fans_, settled_;
   TrianglePairs pairs_;
+  std::optional<SpacePartition> space_;  // if triangles are crowded
   std::optional<parallel::Scratch<Found>> found_{std::in_place};
   std::atomic<bool> enough_{false}, looked_for_lines_{false}, is_crowded_{false};
-  std::atomic<std::size_t> tests_{0}, done_{0};
+  std::atomic<std::size_t> tests_{0}, node_pairs_{0}, done_{0};
   std::size_t steps_ = 0;
   double begun_at_ = 0, told_ = 0;  // parts of the progress
   std::mutex telling_;

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <utility>
 
 #include "growth/steps.h"
 #include "sectile/primitives.h"
@@ -16,6 +18,18 @@ namespace {
 double growth_of_import(PolygonMesh (*make)(std::size_t), std::size_t n) {
   return growth([&](std::size_t size) { return [mesh = make(size)] { Solid::from_mesh(mesh); }; },
                 n);
+}
+
+// What the import does to find out whether faces cross.
+double growth_of_test_for_crossings(PolygonMesh (*make)(std::size_t), std::size_t n) {
+  const auto steps = [&](std::size_t size) {
+    const PolygonMesh mesh = make(size);
+    ImportOptions trusted;
+    trusted.trusted = true;
+    return static_cast<double>(steps_of([&] { Solid::from_mesh(mesh); }) -
+                               steps_of([&] { Solid::from_mesh(mesh, trusted); }));
+  };
+  return std::log2(steps(4 * n) / steps(n)) / 2;
 }
 
 std::uint32_t add_vertex(PolygonMesh& mesh, const Vec3& p) {
@@ -114,6 +128,68 @@ PolygonMesh slanted_prisms_of_all_lengths(std::size_t n) {
   return mesh;
 }
 
+// Spikes from two corners, each past the other one, in all directions that fit.
+PolygonMesh fans_into_each_other(std::size_t spikes) {
+  PolygonMesh mesh;
+  const std::uint32_t hubs[] = {add_vertex(mesh, {0, 0, 0}), add_vertex(mesh, {0.1, 0.2, 1})};
+  std::mt19937 random(1);
+  const auto number = [&] { return static_cast<double>(random() % 1000000) / 1e6 - 0.5; };
+  for (std::size_t i = 0; i < spikes; ++i) {
+    const std::uint32_t hub = hubs[i % 2];
+    const Vec3 end = mesh.positions[hubs[1 - i % 2]];
+    const double x = end.x + number(), y = end.y + number(), size = 1e-9;
+    const std::uint32_t a = add_vertex(mesh, {x + size, y, end.z}),
+                        b = add_vertex(mesh, {x, y + size, end.z}),
+                        c = add_vertex(mesh, {x - size, y - size, end.z});
+    for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}})
+      i % 2 == 0 ? add_face(mesh, {hub, q, p}) : add_face(mesh, {hub, p, q});
+    i % 2 == 0 ? add_face(mesh, {a, b, c}) : add_face(mesh, {a, c, b});
+  }
+  return mesh;
+}
+
+// A thin prism from p to q.
+void add_rod(PolygonMesh& mesh, const Vec3& p, const Vec3& q, double width) {
+  std::array<std::uint32_t, 6> corner;
+  for (std::uint32_t k = 0; k < 6; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 3;
+    const Vec3& at = k < 3 ? p : q;
+    corner[k] =
+        add_vertex(mesh, {at.x + width * std::cos(angle), at.y + width * std::sin(angle), at.z});
+  }
+  add_face(mesh, {corner[2], corner[1], corner[0]});
+  add_face(mesh, {corner[3], corner[4], corner[5]});
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::uint32_t next = (k + 1) % 3;
+    add_face(mesh, {corner[k], corner[next], corner[3 + next], corner[3 + k]});
+  }
+}
+
+// Layers of slanted rods, which lie across those of the layer below.
+PolygonMesh woven_rods(std::size_t n) {
+  const auto side = static_cast<int>(std::sqrt(static_cast<double>(n)));
+  PolygonMesh mesh;
+  for (int layer = 0; layer < side; ++layer)
+    for (int i = 0; i < side; ++i) {
+      const double sign = layer % 2 == 0 ? 1 : -1, x = 2 * i * sign, z = 0.5 * layer;
+      add_rod(mesh, {x, -2.0 * i, z}, {x + sign * side, side - 2.0 * i, z + side}, 0.1);
+    }
+  return mesh;
+}
+
+// Rods around an axis, twisted to one side, around others that are twisted to the other side.
+PolygonMesh twisted_rods(std::size_t n) {
+  PolygonMesh mesh;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double radius = i % 2 == 0 ? 1 : 1.1, twist = i % 2 == 0 ? 1 : -1.2;
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
+    add_rod(mesh, {radius * std::cos(angle), radius * std::sin(angle), -2},
+            {radius * std::cos(angle + twist), radius * std::sin(angle + twist), 2},
+            0.5 / static_cast<double>(n));
+  }
+  return mesh;
+}
+
 // A cone on rings of long, thin triangles, on one face.
 PolygonMesh cone_on_bands(std::size_t sides) {
   constexpr std::uint32_t rings = 4;
@@ -161,6 +237,18 @@ TEST(ImportGrowth, SlantedBundle) {
 
 TEST(ImportGrowth, SlantedPrismsOfAllLengths) {
   EXPECT_LT(growth_of_import(slanted_prisms_of_all_lengths, 800), n_log_n);
+}
+
+TEST(ImportGrowth, FansThatReachIntoEachOther) {
+  EXPECT_LT(growth_of_test_for_crossings(fans_into_each_other, 500), n_log_n);
+}
+
+TEST(ImportGrowth, WovenRods) {
+  EXPECT_LT(growth_of_import(woven_rods, 400), n_log_n);
+}
+
+TEST(ImportGrowth, TwistedRods) {
+  EXPECT_LT(growth_of_import(twisted_rods, 500), n_log_n);
 }
 
 TEST(ImportGrowth, ConeOnBands) {

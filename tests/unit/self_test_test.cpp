@@ -372,6 +372,47 @@ TEST(SelfTest, WhatPiercesTheBaseOfAConeIsFound) {
   EXPECT_FALSE(accepted(pierced));
 }
 
+// Spikes from two corners, each past the other one, in all directions that fit. A spike of one
+// meets one of the other only where both are in one plane with the corners.
+PolygonMesh fans_into_each_other(std::uint32_t spikes) {
+  PolygonMesh mesh;
+  mesh.positions = {{0, 0, 0}, {0.1, 0.2, 1}};
+  std::mt19937 random(1);
+  const auto number = [&] { return static_cast<double>(random() % 1000000) / 1e6 - 0.5; };
+  for (std::uint32_t i = 0; i < 2 * spikes; ++i) {
+    const Vec3& other = mesh.positions[1 - i % 2];
+    const Vec3 end{other.x + number(), other.y + number(), other.z};
+    const auto a = static_cast<std::uint32_t>(mesh.positions.size()), b = a + 1, c = a + 2;
+    constexpr double size = 1e-7;
+    mesh.positions.push_back({end.x + size, end.y, end.z});
+    mesh.positions.push_back({end.x, end.y + size, end.z});
+    mesh.positions.push_back({end.x - size, end.y - size, end.z});
+    const std::uint32_t hub = i % 2;
+    for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}})
+      hub == 0 ? add_triangle(mesh, hub, q, p) : add_triangle(mesh, hub, p, q);
+    hub == 0 ? add_triangle(mesh, a, b, c) : add_triangle(mesh, a, c, b);
+  }
+  return mesh;
+}
+
+TEST(SelfTest, FansThatReachIntoEachOther) {
+  EXPECT_TRUE(accepted(fans_into_each_other(600)));
+}
+
+TEST(SelfTest, OneSpikeThatMeetsOneOfAnotherFanIsFound) {
+  PolygonMesh mesh = fans_into_each_other(600);
+  // The end of one spike of the second corner is in the middle of one of the first.
+  const Vec3 first = mesh.positions[2 + 3 * 200];
+  const std::size_t end = 2 + 3 * 301;
+  const Vec3 by{0.6 * first.x - 3e-8 - mesh.positions[end].x, 0.6 * first.y - mesh.positions[end].y,
+                0.6 * first.z - mesh.positions[end].z};
+  for (std::size_t i = end; i < end + 3; ++i) {
+    Vec3& p = mesh.positions[i];
+    p = {p.x + by.x, p.y + by.y, p.z + by.z};
+  }
+  EXPECT_FALSE(accepted(mesh));
+}
+
 TEST(SelfTest, PolygonsThatPassThroughACornerOfTheirsAreNoFaces) {
   // The outer loop comes back through the corner (2, 0) onto its first edge and crosses there.
   Soup soup;
