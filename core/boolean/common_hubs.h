@@ -19,11 +19,14 @@ class CommonHubs {
              const PerOperand<std::span<const std::uint32_t>>& slots);
 
   bool empty() const { return order_.empty(); }
+  /// The number of the fan of a block's hub.
+  std::uint32_t fan(Operand s, std::uint32_t slot, std::uint32_t hub) const {
+    return fan_[s][first_[s][slot] + hub];
+  }
   /// Hubs of two blocks.
   bool are_of_one_fan(std::uint32_t slot_of_a, std::uint32_t hub_of_a, std::uint32_t slot_of_b,
                       std::uint32_t hub_of_b) const {
-    return fan_[Operand::a][first_[Operand::a][slot_of_a] + hub_of_a] ==
-           fan_[Operand::b][first_[Operand::b][slot_of_b] + hub_of_b];
+    return fan(Operand::a, slot_of_a, hub_of_a) == fan(Operand::b, slot_of_b, hub_of_b);
   }
 
   /// Adds the pairs that leave a common hub, or line, in a common direction.
@@ -46,9 +49,7 @@ class CommonHubs {
   PointId point(const Hub& h) const { return hubs(h.solid, h.slot).point(h.number); }
   const Vec3& position(const Hub& h) const { return block(h).geometry().position(point(h)); }
   std::uint32_t& fan_of(const Hub& h) { return fan_[h.solid][first_[h.solid][h.slot] + h.number]; }
-  std::uint32_t fan_of(const Hub& h) const {
-    return fan_[h.solid][first_[h.solid][h.slot] + h.number];
-  }
+  std::uint32_t fan_of(const Hub& h) const { return fan(h.solid, h.slot, h.number); }
   bool are_at_one_place(const Hub& g, const Hub& h) const;
   void number_places();
   void find_lines();

@@ -7,6 +7,7 @@
 #include "boolean/boolean.h"
 #include "boolean/collect.h"
 #include "boolean/common_hubs.h"
+#include "boolean/crowded_faces.h"
 #include "boolean/crowded_lines.h"
 #include "boolean/equal_planes.h"
 #include "boolean/tables.h"
@@ -131,47 +132,77 @@ void make_trees(const Workspace& w, const SolidData& solid, std::span<const std:
   for_each(w, slots.size(), 16, [&](std::size_t i) { solid.slot(slots[i]).block->tree(); });
 }
 
-// Pairs of faces that may meet, but for those that have a hub in common. None if there are more
-// than `most`.
-std::optional<FacePairs> near_pairs(const Workspace& w, const SolidData& a, const SolidData& b,
-                                    const SlotPairs& slots, const CommonHubs& hubs,
-                                    std::size_t most) {
-  parallel::Scratch<NearFaces> scratch;
-  std::atomic<std::size_t> count = 0;
-  auto found = collect_ranges<FacePairs>(
-      w, slots.pairs().size(), 8, [&](std::size_t first, std::size_t last, FacePairs& out) {
-        scratch.lend([&](NearFaces& near) {
-          for (const auto& [s, t] : slots.pairs().subspan(first, last - first)) {
-            if (count.load(std::memory_order_relaxed) > most) return;
-            const std::size_t before = out.size();
-            near(
-                *a.slot(s).block, *b.slot(t).block,
-                [&, s = s, t = t](std::uint32_t f, std::uint32_t g) {
-                  out.push_back({a.face(s, FaceId(f)), b.face(t, FaceId(g))});
-                },
-                [&, s = s, t = t](std::uint32_t hub, std::uint32_t across) {
-                  return !hubs.empty() && hubs.are_of_one_fan(s, hub, t, across);
-                });
-            count.fetch_add(out.size() - before, std::memory_order_relaxed);
-          }
+// Pairs of faces that may meet, but for those that have a hub in common.
+class NearPairs {
+ public:
+  NearPairs(const Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs& slots,
+            const CommonHubs& hubs)
+      : w_(w), a_(a), b_(b), slots_(slots), hubs_(hubs) {}
+
+  FacePairs find() { return *find(std::numeric_limits<std::size_t>::max()); }
+  /// None if there are more than `most`.
+  std::optional<FacePairs> find(std::size_t most) {
+    looks_ = count_ = 0;
+    FacePairs pairs = by_blocks(most);
+    if (count_ > most) return {};
+    if (is_crowded())
+      pairs = pairs_of_crowded_faces(w_, a_, b_,
+                                     {{slots_.slots(Operand::a), slots_.slots(Operand::b)}}, hubs_);
+    if (pairs.size() > most) return {};
+    return pairs;
+  }
+  std::size_t faces() const { return faces_; }
+
+ private:
+  // More looks than so many for each face are a reason to divide space.
+  static constexpr std::size_t very_many = 128;
+
+  FacePairs by_blocks(std::size_t most) {
+    parallel::Scratch<NearFaces> scratch;
+    return joined(collect_ranges<FacePairs>(
+        w_, slots_.pairs().size(), 8, [&](std::size_t first, std::size_t last, FacePairs& out) {
+          scratch.lend([&](NearFaces& near) {
+            for (const auto& [s, t] : slots_.pairs().subspan(first, last - first)) {
+              if (is_crowded() || count_.load(std::memory_order_relaxed) > most) return;
+              const std::size_t looks = near.looks(), count = out.size();
+              add_pairs(s, t, near, out);
+              looks_ += near.looks() - looks;
+              count_ += out.size() - count;
+            }
+          });
+        }));
+  }
+
+  void add_pairs(std::uint32_t s, std::uint32_t t, NearFaces& near, FacePairs& out) const {
+    near(
+        *a_.slot(s).block, *b_.slot(t).block,
+        [&](std::uint32_t f, std::uint32_t g) {
+          out.push_back({a_.face(s, FaceId(f)), b_.face(t, FaceId(g))});
+        },
+        [&](std::uint32_t hub, std::uint32_t across) {
+          return !hubs_.empty() && hubs_.are_of_one_fan(s, hub, t, across);
         });
-      });
-  if (count > most) return {};
-  return joined(std::move(found));
-}
-FacePairs near_pairs(const Workspace& w, const SolidData& a, const SolidData& b,
-                     const SlotPairs& slots, const CommonHubs& hubs) {
-  return *near_pairs(w, a, b, slots, hubs, std::numeric_limits<std::size_t>::max());
-}
+  }
+
+  bool is_crowded() const { return looks_.load(std::memory_order_relaxed) > very_many * faces_; }
+
+  std::size_t count_faces() const {
+    std::size_t count = 0;
+    for (const std::uint32_t s : slots_.slots(Operand::a)) count += a_.slot(s).faces;
+    for (const std::uint32_t t : slots_.slots(Operand::b)) count += b_.slot(t).faces;
+    return count;
+  }
+
+  const Workspace& w_;
+  const SolidData &a_, &b_;
+  const SlotPairs& slots_;
+  const CommonHubs& hubs_;
+  const std::size_t faces_ = count_faces();
+  std::atomic<std::size_t> looks_ = 0, count_ = 0;
+};
 
 // For each face near the other solid. Where there are more, it is worth while to find out why.
 constexpr std::size_t many_pairs = 8;
-
-std::size_t face_count(const SolidData& solid, std::span<const std::uint32_t> slots) {
-  std::size_t count = 0;
-  for (const std::uint32_t s : slots) count += solid.slot(s).faces;
-  return count;
-}
 
 // Whoever follows the phases, or asks for all that is cut, is shown all that meets.
 bool may_leave_out(const Workspace& w, const Wanted& wanted) {
@@ -184,23 +215,21 @@ std::optional<CrowdedLines> lines_or_pairs(const Workspace& w, const SolidData& 
                                            const SolidData& b, const SlotPairs& slots,
                                            const CommonHubs& hubs, const Wanted& wanted,
                                            FacePairs& pairs) {
+  NearPairs near(w, a, b, slots, hubs);
   if (may_leave_out(w, wanted)) {
-    const PerOperand<std::span<const std::uint32_t>> near{
-        {slots.slots(Operand::a), slots.slots(Operand::b)}};
-    const std::size_t most =
-        many_pairs * (face_count(a, near[Operand::a]) + face_count(b, near[Operand::b]));
-    if (auto few = near_pairs(w, a, b, slots, hubs, most)) {
+    const std::size_t most = many_pairs * near.faces();
+    if (auto few = near.find(most)) {
       pairs = *std::move(few);
       hubs.add_pairs(pairs);
       if (pairs.size() <= most) return {};
     }
-    CrowdedLines lines(a, b, near);
+    CrowdedLines lines(a, b, {{slots.slots(Operand::a), slots.slots(Operand::b)}});
     if (!lines.empty()) {
       pairs = lines.pairs();
       return lines;
     }
   }
-  pairs = near_pairs(w, a, b, slots, hubs);
+  pairs = near.find();
   hubs.add_pairs(pairs);
   return {};
 }

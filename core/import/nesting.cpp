@@ -13,6 +13,7 @@
 #include "import/faces_along_x.h"
 #include "import/shell_boxes.h"
 #include "search/face_tree.h"
+#include "search/missed_face.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -89,12 +90,11 @@ class LineThroughFace {
       for (Dyadic& x : point_.x) x = -x;
       point_.w = -point_.w;
     }
-    const double y = nearest_quotient(point_.x[1], point_.w),
-                 z = nearest_quotient(point_.x[2], point_.w);
-    line_.low_y = below(y);
-    line_.high_y = above(y);
-    line_.low_z = below(z);
-    line_.high_z = above(z);
+    near_ = {0, nearest_quotient(point_.x[1], point_.w), nearest_quotient(point_.x[2], point_.w)};
+    line_.low_y = below(near_.y);
+    line_.high_y = above(near_.y);
+    line_.low_z = below(near_.z);
+    line_.high_z = above(near_.z);
   }
 
   // The faces on the line, from the first one on along the x axis, up to one of a shell that is
@@ -200,6 +200,7 @@ class LineThroughFace {
     };
     others_.query(stretch, [&](FaceId f) {
       if (f == from || !is_clear || !counts_(f)) return;
+      if (is_missed(data_.brep(), data_.geometry(), f, near_)) return;
       is_clear = meet(f);
       if (!is_clear) stretch.end = -std::numeric_limits<double>::infinity();
     });
@@ -260,6 +261,7 @@ class LineThroughFace {
   const Counts& counts_;
   std::array<PointId, 3> triangle_;
   ExactPoint point_;
+  Vec3 near_;           // on the line, rounded
   StretchAlongX line_;  // around all of it
   Place at_;            // how far the line was followed
 };

@@ -79,10 +79,13 @@ class NearFaces {
     BoxTree::overlaps(
         a.tree(), b.tree(),
         [&](std::uint32_t f, std::uint32_t g) {
+          ++looks_;
           if (!apart(hulls_[0][f], hulls_[1][g])) visit(f, g);
         },
-        skip, Apart(a, b, slabs_));
+        skip, Apart(a, b, slabs_, looks_));
   }
+  /// How many pairs of nodes and of faces were looked at in large blocks so far?
+  std::size_t looks() const { return looks_; }
 
  private:
   // By the planes of single faces.
@@ -95,14 +98,19 @@ class NearFaces {
   // By oriented boxes, too, if one of the blocks has them.
   class Apart : public FacesApart {
    public:
-    Apart(const Block& a, const Block& b, SlabCache (&caches)[2])
+    Apart(const Block& a, const Block& b, SlabCache (&caches)[2], std::size_t& looks)
         : FacesApart{{}, caches},
+          looks_(looks),
           by_nodes_(a.tree(), a.tree().oriented(a.brep(), a.geometry()), b.tree(),
                     b.tree().oriented(b.brep(), b.geometry())) {}
 
-    bool nodes(BoxTree::Node p, BoxTree::Node q) const { return by_nodes_.nodes(p, q); }
+    bool nodes(BoxTree::Node p, BoxTree::Node q) const {
+      ++looks_;
+      return by_nodes_.nodes(p, q);
+    }
 
    private:
+    std::size_t& looks_;
     OrientedApart by_nodes_;
   };
 
@@ -111,6 +119,7 @@ class NearFaces {
 
   SlabCache slabs_[2];
   HullCache hulls_[2];
+  std::size_t looks_ = 0;
 };
 
 }  // namespace sectile

@@ -6,6 +6,7 @@ sectile_test(contacts_in_points_test SOURCES contacts_in_points_test.cpp)
 sectile_test(slit_test SOURCES slit_test.cpp)
 sectile_test(crossing_edges_test SOURCES crossing_edges_test.cpp)
 sectile_test(equality_test SOURCES boolean/equality_test.cpp)
+sectile_test(crowded_faces_test SOURCES boolean/crowded_faces_test.cpp)
 # Each phase by itself.
 sectile_test(boolean_phases_test SOURCES boolean/reduction_test.cpp boolean/neighborhoods_test.cpp
              boolean/null_edges_test.cpp boolean/joining_test.cpp boolean/components_test.cpp

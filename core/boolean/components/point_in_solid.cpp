@@ -1,6 +1,7 @@
 #include "boolean/components/point_in_solid.h"
 
 #include "geometry/x_ray.h"
+#include "search/missed_face.h"
 #include "sectile/errors.h"
 #include "storage/face_query.h"
 
@@ -34,29 +35,6 @@ class RayTest {
   PointId point_;
 };
 
-// Do doubles tell that the ray from a point misses a face? The point and the corners are known up
-// to half an ulp in each coordinate.
-bool misses(const SolidData& solid, FaceId face, const Vec3& p) {
-  const std::uint32_t slot = solid.slot_of(face);
-  const Block& block = *solid.slot(slot).block;
-  const Brep& brep = block.brep();
-  const auto at = [&](VertexId v) -> const Vec3& {
-    return block.geometry().position(brep.point_of(v));
-  };
-  XRayParity parity;
-  bool certain = true;
-  for_each_in_face(brep, solid.local(slot, face), [&](HalfEdgeId h) {
-    const Vec3 &u = at(brep.from(h)), &v = at(brep.to(h));
-    certain = certain && u.y != p.y;  // rounding to nearest is monotonic
-    parity.add(u.y > p.y, v.y > p.y, [&] {
-      const Estimate turn = Kernel::estimated_turn(u, v, p, 0, false);
-      certain = certain && turn.decided();
-      return turn.sign();
-    });
-  });
-  return certain && !parity.odd();
-}
-
 // So many are looked at in no more time than their oriented boxes take.
 constexpr std::size_t few_blocks = 8;
 
@@ -79,7 +57,11 @@ bool is_inside(Workspace& w, Operand operand, PointId point) {
     return ++blocks > few_blocks && apart(block.oriented_bounds(), ray_box);
   };
   std::vector<FaceId> faces = faces_where(solid, meets, is_apart);
-  std::erase_if(faces, [&](FaceId f) { return misses(solid, f, p); });
+  std::erase_if(faces, [&](FaceId f) {
+    const std::uint32_t slot = solid.slot_of(f);
+    const Block& block = *solid.slot(slot).block;
+    return is_missed(block.brep(), block.geometry(), solid.local(slot, f), p);
+  });
   if (faces.empty()) return false;
   const Patch hit = load_patch(*patch.solid, faces, w.geometry);
   w.kernel->refresh();
