@@ -139,25 +139,28 @@ class NearPairs {
             const CommonHubs& hubs)
       : w_(w), a_(a), b_(b), slots_(slots), hubs_(hubs) {}
 
-  FacePairs find() { return *find(std::numeric_limits<std::size_t>::max()); }
-  /// None if there are more than `most`.
-  std::optional<FacePairs> find(std::size_t most) {
-    looks_ = count_ = 0;
+  FacePairs all() {
+    FacePairs pairs = by_blocks(std::numeric_limits<std::size_t>::max());
+    if (!is_crowded()) return pairs;
+    return pairs_of_crowded_faces(w_, a_, b_,
+                                  {{slots_.slots(Operand::a), slots_.slots(Operand::b)}}, hubs_);
+  }
+  /// None if there are more than so many for each face, or very many had to be looked at: whichever
+  /// of the threads comes first.
+  std::optional<FacePairs> few(std::size_t for_each_face) {
+    const std::size_t most = for_each_face * faces_;
     FacePairs pairs = by_blocks(most);
-    if (count_ > most) return {};
-    if (is_crowded())
-      pairs = pairs_of_crowded_faces(w_, a_, b_,
-                                     {{slots_.slots(Operand::a), slots_.slots(Operand::b)}}, hubs_);
-    if (pairs.size() > most) return {};
+    hubs_.add_pairs(pairs);
+    if (is_crowded() || count_ > most || pairs.size() > most) return {};
     return pairs;
   }
-  std::size_t faces() const { return faces_; }
 
  private:
   // More looks than so many for each face are a reason to divide space.
   static constexpr std::size_t very_many = 128;
 
   FacePairs by_blocks(std::size_t most) {
+    looks_ = count_ = 0;
     parallel::Scratch<NearFaces> scratch;
     return joined(collect_ranges<FacePairs>(
         w_, slots_.pairs().size(), 8, [&](std::size_t first, std::size_t last, FacePairs& out) {
@@ -217,11 +220,9 @@ std::optional<CrowdedLines> lines_or_pairs(const Workspace& w, const SolidData& 
                                            FacePairs& pairs) {
   NearPairs near(w, a, b, slots, hubs);
   if (may_leave_out(w, wanted)) {
-    const std::size_t most = many_pairs * near.faces();
-    if (auto few = near.find(most)) {
+    if (auto few = near.few(many_pairs)) {
       pairs = *std::move(few);
-      hubs.add_pairs(pairs);
-      if (pairs.size() <= most) return {};
+      return {};
     }
     CrowdedLines lines(a, b, {{slots.slots(Operand::a), slots.slots(Operand::b)}});
     if (!lines.empty()) {
@@ -229,7 +230,7 @@ std::optional<CrowdedLines> lines_or_pairs(const Workspace& w, const SolidData& 
       return lines;
     }
   }
-  pairs = near.find();
+  pairs = near.all();
   hubs.add_pairs(pairs);
   return {};
 }
