@@ -150,8 +150,9 @@ class NearPairs {
   std::optional<FacePairs> few(std::size_t for_each_face) {
     const std::size_t most = for_each_face * faces_;
     FacePairs pairs = by_blocks(most);
+    if (is_crowded() || count_ > most) return {};
     hubs_.add_pairs(pairs);
-    if (is_crowded() || count_ > most || pairs.size() > most) return {};
+    if (pairs.size() > most) return {};
     return pairs;
   }
 
