@@ -21,9 +21,9 @@ struct Patience {
   std::uint32_t groups_by_boxes;  // beyond these, oriented boxes are asked
   std::uint32_t groups, pairs;
 };
-constexpr Patience normal{0xFFFFFFFFu, 8192, 1024}, little{16, 512, 128};
+constexpr Patience normal{0xFFFFFFFFu, 8192, 1024}, little{8, 256, 32};
 // Patience ends when so much more was met, for each triangle that moved.
-constexpr std::uint64_t most_beyond = 64;
+constexpr std::uint64_t most_beyond = 16;
 
 class Finder {
   using Triangles = RoundedTriangles::Triangles;
