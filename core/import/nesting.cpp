@@ -280,7 +280,7 @@ class Surroundings {
         members_(shells.count),
         found_(shells.count),
         known_(shells.count, 0),
-        boxes_(shell_boxes()),
+        boxes_(shell_boxes(), [&](std::uint32_t s) { return corners(s); }),
         outer_(data, faces_around_others(), boxes_.held_count()) {}
 
   std::vector<ShellSurroundings> run() {
@@ -313,6 +313,16 @@ class Surroundings {
     for (const ShellSurroundings& s : found_)
       if (!s.face.valid()) throw InternalError("a shell has no extent in the plane across an axis");
     return boxes;
+  }
+
+  std::vector<Vec3> corners(std::uint32_t s) const {
+    const Brep& brep = data_.brep();
+    std::vector<Vec3> corners;
+    for (const FaceId f : members_[s])
+      for_each_in_loop(brep, brep.outer_loop[f], [&](HalfEdgeId h) {
+        corners.push_back(data_.geometry().position(brep.point_of(brep.from(h))));
+      });
+    return corners;
   }
 
   std::vector<FaceId> faces_around_others() const {

@@ -2,38 +2,60 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "search/box_tree.h"
+#include "search/oriented_tree.h"
 
 namespace sectile {
 
 class ShellBoxes {
  public:
-  /// One box per shell.
-  explicit ShellBoxes(std::vector<Box> boxes);
+  /// One box per shell. corners(shell) returns places around whose convex hull it is, at least one,
+  /// known up to half an ulp: asked for where boxes are mostly empty.
+  ShellBoxes(std::vector<Box> boxes,
+             const std::function<std::vector<Vec3>(std::uint32_t)>& corners);
 
-  /// Does the box of any other shell hold that of this one?
+  /// Can this shell lie in any other one?
   bool is_held(std::uint32_t shell) const { return is_held_[shell] != 0; }
   std::size_t held_count() const {
     return static_cast<std::size_t>(std::count(is_held_.begin(), is_held_.end(), 1));
   }
-  /// Does the box of this shell hold that of any other one?
+  /// Can any other one lie in this shell?
   bool holds_any(std::uint32_t shell) const { return holds_any_[shell] != 0; }
   /// All shells, those that reach farthest along the x axis first.
   std::vector<std::uint32_t> farthest_first() const;
 
  private:
-  static bool contains(const Box& outer, const Box& inner) {
-    for (int k = 0; k < 3; ++k)
-      if (!(outer.low[k] <= inner.low[k] && inner.high[k] <= outer.high[k])) return false;
-    return true;
-  }
-  void find_held();
-  void find_holding();
+  // A tree over some of the shells.
+  class Tree {
+   public:
+    Tree(const ShellBoxes& shells, std::vector<std::uint32_t> some);
+    std::size_t size() const { return some_.size(); }
+    const std::vector<std::uint32_t>& shells() const { return some_; }
+
+    /// Calls visit(shell) for all in which a shell can lie, and for itself, until it returns false.
+    template <class Visit>
+    void around(std::uint32_t shell, const Visit& visit) const;
+
+   private:
+    const ShellBoxes* all_;
+    std::vector<std::uint32_t> some_;
+    BoxTree tree_;
+    std::vector<OrientedTree> oriented_;  // one, where boxes are mostly empty
+  };
+
+  void find_held(const Tree& all);
+  void find_holding(Tree tree);
+  std::array<OrientedBox, 2> ends(std::uint32_t shell) const;
+  bool is_oriented() const { return !corners_.empty(); }
 
   std::vector<Box> boxes_;
+  std::vector<std::vector<Vec3>> corners_;  // where boxes are mostly empty
+  std::vector<OrientedBox> oriented_;       // the same
   std::vector<std::uint8_t> is_held_, holds_any_;
 };
 
