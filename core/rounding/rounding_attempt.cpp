@@ -15,6 +15,8 @@ namespace sectile {
 namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFu;
+// So many vertices at a place, moved apart, are looked at once more.
+constexpr std::size_t small_crowd = 32;
 
 // The least box of a triangle, and those around it.
 struct Surroundings {
@@ -65,9 +67,13 @@ bool RoundingAttempt::run() {
 }
 
 bool RoundingAttempt::separate() {
-  const auto [moved, cramped] = Separation(rounded_, kernel_, grid_, options_).run();
+  const auto [moved, most_at_a_place, cramped] =
+      Separation(rounded_, kernel_, grid_, options_).run();
   separated_ = moved;
-  if (cramped.empty()) return true;
+  if (cramped.empty()) {
+    if (most_at_a_place <= small_crowd) check_separated();
+    return true;
+  }
   is_cramped_ = true;
   std::vector<std::uint8_t> touches(rounded_.point.size(), 0);
   for (const std::uint32_t v : cramped) touches[v] = 1;
@@ -77,6 +83,15 @@ bool RoundingAttempt::separate() {
       stuck_.push_back(t);
   }
   return false;
+}
+
+// What was told apart by cones meets nowhere, if all is right. The self-test compares all of a
+// crowd with each other.
+void RoundingAttempt::check_separated() {
+  if (separated_ == 0) return;
+  kernel_.refresh();
+  if (!faulty_triangles(rounded_, kernel_, steps_.part(0.5)).empty())
+    throw InternalError("what was moved apart meets");
 }
 
 void RoundingAttempt::make_mesh() {

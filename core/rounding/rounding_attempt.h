@@ -36,6 +36,7 @@ class RoundingAttempt {
  private:
   RoundingRepair& repair();
   bool separate();
+  void check_separated();
   void make_mesh();
   std::uint32_t wrong_shell() const;
   bool is_one_shell() const;

@@ -52,7 +52,9 @@ Separation::Result Separation::run() {
   LocalChanges changes(rounded_, kernel_, cones_);
   most_tested_ = least_tested + most_tested_for_each * waiting.size();
   waiting = move_all(changes, std::move(waiting));
-  return {moved_, move_out_of_cones(changes, waiting)};
+  std::size_t most = 1;
+  for_each_touching([&](std::span<const Located> there) { most = std::max(most, there.size()); });
+  return {moved_, most, move_out_of_cones(changes, waiting)};
 }
 
 void Separation::find_fans() {

@@ -32,6 +32,7 @@ class Separation {
 
   struct Result {
     std::size_t moved = 0;               ///< vertices
+    std::size_t most_at_a_place = 1;     ///< before
     std::vector<std::uint32_t> cramped;  ///< vertices that touch others still: there is no room
   };
   Result run();
