@@ -184,7 +184,7 @@ std::vector<Stretches> all_lengths(std::mt19937& random) {
 }
 
 TEST(Books, OfPagesOfVeryManyLengths) {
-  for (unsigned seed = 0; seed < 2; ++seed) {
+  for (unsigned seed = 0; seed < cases(2u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const std::vector<Stretches> kinds = all_lengths(random);
@@ -196,7 +196,7 @@ TEST(Books, OfPagesOfVeryManyLengths) {
 // Of one operand, one page is wide, or pages meet a body across the line, maybe with a slit that
 // begins there.
 TEST(Books, OfVeryManyLengthsWithMoreAtTheLine) {
-  for (unsigned seed = 0; seed < 3; ++seed) {
+  for (unsigned seed = 0; seed < cases(3u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const Transform& placed = seed % 2 == 0 ? upright : slanted;

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "cases.h"
 #include "sectile/sectile.h"
 #include "unit/leaves.h"
 
@@ -47,7 +48,7 @@ void expect_the_same_for_an_observer(const Solid& a, const Solid& b) {
 
 TEST(CrowdedBooks, AreWhatTheyAreForAnObserver) {
   for (const int lows : {40, 3, 1})
-    for (unsigned seed = 0; seed < 2; ++seed) {
+    for (unsigned seed = 0; seed < cases(2u); ++seed) {
       SCOPED_TRACE(lows);
       SCOPED_TRACE(seed);
       std::mt19937 random(seed);
