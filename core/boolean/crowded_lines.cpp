@@ -54,21 +54,10 @@ void CrowdedLines::find_lines(const Kernel& kernel) {
     edges.push_back(PointPair::between(side.from.value(), side.to.value()));
   lines_ = SpineLines(kernel, points, crowded_lines(kernel, points, edges, many_beside));
   if (empty()) return;
-  for (Face& face : faces_) face.line = line_of(face);
-}
-
-std::uint32_t CrowdedLines::line_of(const Face& face) const {
-  std::vector<std::uint32_t> lines;
-  for (const Side& side : sides(face))
-    for (const SpineLines::On& on : lines_.of_point(side.from.value())) lines.push_back(on.line);
-  std::uint32_t best = none;
-  std::ptrdiff_t most = 0;
-  for (const std::uint32_t line : lines)
-    if (const auto corners = std::ranges::count(lines, line); corners > most) {
-      most = corners;
-      best = line;
-    }
-  return best;
+  for (Face& face : faces_)
+    face.line = lines_.line_of_most([&](const auto& visit) {
+      for (const Side& side : sides(face)) visit(side.from);
+    });
 }
 
 bool CrowdedLines::is_on(PointId p, std::uint32_t line) const {

@@ -61,7 +61,6 @@ class CrowdedLines {
 
   void add_faces(Operand s, std::uint32_t slot);
   void find_lines(const Kernel& kernel);
-  std::uint32_t line_of(const Face& face) const;
   bool is_on(PointId p, std::uint32_t line) const;
 
   void add_pairs_off_lines(FacePairs& pairs);

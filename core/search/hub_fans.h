@@ -72,8 +72,6 @@ class HubFans {
   template <class ForEachCorner>
   void join_along(std::span<const PointPair> edges, std::span<const std::uint32_t> some,
                   const Kernel& kernel, const ForEachCorner& for_each_corner);
-  template <class ForEachCorner>
-  std::uint32_t line_of(std::uint32_t polygon, const ForEachCorner& for_each_corner) const;
   std::vector<PointId> all_points() const;
   template <class ForEachCorner>
   std::vector<Box> boxes(const Fan& fan, const Geometry& geometry,
@@ -166,7 +164,8 @@ void HubFans::join_along(std::span<const PointPair> edges, std::span<const std::
   }
   of_polygon_.assign(count_, Hubs::none);
   for (const std::uint32_t f : some) {
-    const std::uint32_t line = line_of(f, for_each_corner);
+    const std::uint32_t line =
+        lines_.line_of_most([&](const auto& visit) { for_each_corner(f, visit); });
     if (line == SpineLines::none) continue;
     of_polygon_[f] = line;
     fans[line].polygons.push_back(f);
@@ -178,23 +177,6 @@ void HubFans::join_along(std::span<const PointPair> edges, std::span<const std::
     fans.push_back(std::move(fan));
   }
   fans_ = std::move(fans);
-}
-
-// On which most of its corners are.
-template <class ForEachCorner>
-std::uint32_t HubFans::line_of(std::uint32_t polygon, const ForEachCorner& for_each_corner) const {
-  std::vector<std::uint32_t> lines;
-  for_each_corner(polygon, [&](PointId p) {
-    for (const SpineLines::On& on : lines_.of_point(p.value())) lines.push_back(on.line);
-  });
-  std::uint32_t best = SpineLines::none;
-  std::ptrdiff_t most = 0;
-  for (const std::uint32_t line : lines)
-    if (const auto corners = std::ranges::count(lines, line); corners > most) {
-      most = corners;
-      best = line;
-    }
-  return best;
 }
 
 inline std::vector<PointId> HubFans::all_points() const {

@@ -38,6 +38,22 @@ class SpineLines {
     const auto lines = of_point(point);
     return lines.empty() ? none : lines.front().line;
   }
+  /// The line on which most of some points lie, or none. for_each_point(visit) calls visit(point).
+  template <class ForEachPoint>
+  std::uint32_t line_of_most(const ForEachPoint& for_each_point) const {
+    std::vector<std::uint32_t> lines;
+    for_each_point([&](PointId p) {
+      for (const On& on : of_point(p.value())) lines.push_back(on.line);
+    });
+    std::uint32_t best = none;
+    std::ptrdiff_t most = 0;
+    for (const std::uint32_t line : lines)
+      if (const auto points = std::ranges::count(lines, line); points > most) {
+        most = points;
+        best = line;
+      }
+    return best;
+  }
   /// All, ascending.
   std::span<const On> points() const { return on_; }
   const AlongLine& operator[](std::uint32_t line) const { return lines_[line]; }
