@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "search/edges_by_line.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -44,18 +45,6 @@ class Conforming {
           open_.push_back({surface_.corners[t][k], surface_.corners[t][next(k)], t, k});
   }
 
-  bool between(PointId p, PointId a, PointId b) const {
-    if (p == a || p == b) return false;
-    for (int axis = 0; axis < 3; ++axis)
-      if (kernel_.turn(a, b, p, axis) != Sign::zero) return false;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Sign way = kernel_.compare(a, b, axis);
-      if (way != Sign::zero)
-        return kernel_.compare(a, p, axis) == way && kernel_.compare(p, b, axis) == way;
-    }
-    return false;
-  }
-
   // At most one edge of each triangle, at one point.
   bool divide_one_each() {
     bool divided = false;
@@ -63,7 +52,7 @@ class Conforming {
     for (const Open& e : open_) {
       if (e.triangle == last) continue;
       for (const PointId p : points_) {
-        if (!between(p, e.from, e.to)) continue;
+        if (!is_within_edge(kernel_, p, e.from, e.to)) continue;
         divide(e, p);
         last = e.triangle;
         divided = true;

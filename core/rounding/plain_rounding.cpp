@@ -50,6 +50,7 @@ class PlainRounding {
       const std::optional<Triangles> faulty = find_faulty(std::move(looked_at), suspects);
       if (!faulty) return false;
       if (faulty->empty()) return true;
+      if (round == 0 && mesh_.has_crowded_edges(*faulty)) return false;
       if (!mend(*faulty, suspects)) return false;
       looked_at = mesh_.around(suspects);
     }

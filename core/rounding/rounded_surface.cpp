@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "parallel/parallel.h"
+#include "rounding/common_lines.h"
 #include "rounding/conforming.h"
 #include "selftest/solid_surface.h"
 
@@ -33,6 +34,10 @@ RoundedSurface::RoundedSurface(const SolidData& data, const RoundingGrid& grid,
   if (!crossing.empty()) throw InternalError("the edges of a solid's face cross each other");
   step(0.5);
   make_conforming(surface, kernel);
+  divide_on_common_lines(surface, kernel, [&](PointId p) {
+    const Vec3& at = data.geometry().position(p);
+    return !data.geometry().is_explicit(p) || !(grid.nearest(at) == at);
+  });
   step(0.55);
   std::vector<std::uint32_t> number(data.geometry().positions.size(), none);
   std::vector<std::uint8_t> has_moved;

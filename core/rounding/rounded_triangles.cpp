@@ -9,6 +9,7 @@
 #include "geometry/axes.h"
 #include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
+#include "rounding/crowded_edges.h"
 #include "search/box_index.h"
 #include "search/bucket_sort.h"
 #include "storage/block_elements.h"
@@ -198,6 +199,15 @@ RoundedTriangles::Triangles RoundedTriangles::neighbours(const Triangles& triang
     });
   }
   return found;
+}
+
+bool RoundedTriangles::has_crowded_edges(const Triangles& among) const {
+  std::vector<PlacedTriangle> placed;
+  for (const std::uint32_t t : among) {
+    const Corners c = corners(t);
+    placed.push_back({c, {positions_[c[0]], positions_[c[1]], positions_[c[2]]}});
+  }
+  return have_crowded_edges(placed, farthest_move());
 }
 
 // Those of a part, in the order in which its triangles meet them.

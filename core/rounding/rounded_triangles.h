@@ -81,6 +81,9 @@ class RoundedTriangles {
   /// All that are no more than `rings` vertices away from theirs.
   Triangles neighbours(const Triangles& triangles, int rings) const;
 
+  /// Where nothing was changed yet: see crowded_edges.h.
+  bool has_crowded_edges(const Triangles& among) const;
+
   /// Triangles in ascending order. Only what concerns those in `suspects` is to be tested. Vertices
   /// with neighbours that are not in the part are fixed.
   MeshPart part(Triangles triangles, const Triangles& suspects) const;

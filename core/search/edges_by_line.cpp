@@ -141,4 +141,14 @@ bool are_on_one_line(const Kernel& kernel, PointId p, PointId q, PointId r) {
   return true;
 }
 
+bool is_within_edge(const Kernel& kernel, PointId p, PointId from, PointId to) {
+  if (p == from || p == to || !are_on_one_line(kernel, from, to, p)) return false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Sign way = kernel.compare(from, to, axis);
+    if (way != Sign::zero)
+      return kernel.compare(from, p, axis) == way && kernel.compare(p, to, axis) == way;
+  }
+  return false;
+}
+
 }  // namespace sectile

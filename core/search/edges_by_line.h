@@ -37,5 +37,7 @@ std::vector<PointPair> crowded_lines(const Kernel& kernel, std::span<const Point
 
 /// Are three points on one line?
 bool are_on_one_line(const Kernel& kernel, PointId p, PointId q, PointId r);
+/// Is a point on an edge, and not at its ends?
+bool is_within_edge(const Kernel& kernel, PointId p, PointId from, PointId to);
 
 }  // namespace sectile
