@@ -8,8 +8,12 @@
 // one side of the other's to its other side: neither has to be cut, and what one is to the other
 // is the same on all of it. Only where a wedge of material at an edge of one has a direction in
 // common with a wedge of the other, the material of a result has edges of both, and they are paired
-// there. All other pairs are left out, and what hangs together by no pair is a cluster of its own
-// (reduction/clusters.h).
+// there. If one of the two wedges is more than half a turn, and the other one lies within it, the
+// result has edges of one of them only; so it is enough to ask what the sharp parts between their
+// faces have in common, unless the material, or for a difference what is not B's, is the blunt part
+// for both. All other pairs are left out, and what hangs together by no pair is a cluster of its
+// own (reduction/clusters.h). Within a cluster, edges are divided at few of the ends of others
+// (neighborhoods/row_sweep.h).
 #pragma once
 
 #include <cstdint>
@@ -17,7 +21,7 @@
 #include <span>
 #include <vector>
 
-#include "boolean/reduction/reduction.h"
+#include "boolean/neighborhoods/neighborhoods.h"
 #include "search/hull.h"
 #include "search/spine_lines.h"
 #include "storage/solid_data.h"
@@ -32,7 +36,7 @@ class CrowdedLines {
 
   bool empty() const { return lines_.count() == 0; }
   /// All pairs of faces of the solids that may meet, but for those that matter nowhere.
-  FacePairs pairs();
+  FacePairs pairs(const Wanted& wanted);
   /// The faces at the lines. Rays must not begin in what they have on them.
   PerOperand<std::vector<FaceId>> faces() const;
   /// Marks the vertices on the lines, and maybe some beside them, in patches with these faces.
@@ -53,10 +57,18 @@ class CrowdedLines {
     HalfEdgeId h;
     PointId from, to;
   };
-  /// What two faces bound at an edge on their line.
+  /// What two faces bound at an edge on their line, from end to end of the edge.
   struct Wedge {
     std::uint32_t face[2];
-    Box box;
+    Box reach;                 // along the line
+    double low = 0, high = 4;  // angles around the sharp part, or around all if that is not known
+    bool is_blunt = false;
+  };
+  /// The angles at which a face leaves its line, beside that of its first corner off it.
+  struct Leaving {
+    bool is_known = false;
+    Vec3 corner;
+    double at = 0, low = 0, high = 0;
   };
 
   void add_faces(Operand s, std::uint32_t slot);
@@ -67,12 +79,13 @@ class CrowdedLines {
   void add_pairs_along(std::uint32_t line, const PerOperand<std::vector<std::uint32_t>>& faces,
                        FacePairs& pairs) const;
   void add_wedge_pairs(std::uint32_t line, const PerOperand<std::vector<std::uint32_t>>& faces,
-                       FacePairs& pairs) const;
+                       const Wanted& wanted, FacePairs& pairs) const;
   std::vector<Wedge> wedges(std::uint32_t line, const std::vector<std::uint32_t>& faces) const;
-  Box box_of_wedge(std::uint32_t line, std::uint32_t face, const Side& side,
-                   std::uint32_t beyond) const;
+  Wedge wedge(std::uint32_t line, std::uint32_t face, const Side& side, std::uint32_t beyond) const;
   void sort_corners(std::uint32_t line, std::uint32_t face, std::vector<Vec3>& on_line,
                     std::vector<Vec3>& beside) const;
+  static std::vector<Box> boxes_of(const Wedge& wedge, bool everywhere);
+  Leaving leaving(std::uint32_t face) const;
   /// None if its block is not near.
   std::uint32_t face_beyond(const Face& face, HalfEdgeId h) const;
 
@@ -94,11 +107,8 @@ class CrowdedLines {
   std::vector<Side> sides_;                            // by face
   PerOperand<std::vector<std::uint32_t>> first_face_;  // per slot that is near
   SpineLines lines_;
+  std::vector<Leaving> leaving_;            // per face, if it is at a line
   std::vector<std::optional<Hull>> hulls_;  // of faces that were asked for
 };
-
-/// What a face of a pair has on a crowded line is tested against the other one in the pair of the
-/// face that speaks for it: adds these pairs of loaded faces.
-void add_owners_on_lines(const Workspace& w, FacePairs& pairs);
 
 }  // namespace sectile
