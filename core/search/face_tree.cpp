@@ -31,6 +31,20 @@ std::vector<Box> face_boxes(const Brep& brep, const Geometry& geometry) {
   return boxes;
 }
 
+// Do the boxes of a tree's leaves cover all of it many times over, by their surfaces?
+bool covers_itself(const BoxTree& tree) {
+  constexpr double many_times = 4;
+  const auto surface = [](const Box& b) {
+    const double x = double(b.high[0]) - double(b.low[0]), y = double(b.high[1]) - double(b.low[1]),
+                 z = double(b.high[2]) - double(b.low[2]);
+    return x * y + y * z + z * x;
+  };
+  if (tree.empty()) return false;
+  double sum = 0;
+  for (std::uint32_t i = 0; i < tree.node_count(0); ++i) sum += surface(tree.box({0, i}));
+  return sum > many_times * surface(tree.bounds());
+}
+
 }  // namespace
 
 FaceTree::FaceTree(const Brep& brep, const Geometry& geometry, Hubs hubs, bool along_curve)
@@ -42,7 +56,7 @@ const OrientedTree* FaceTree::oriented(const Brep& brep, const Geometry& geometr
       for_each_in_loop(brep, brep.outer_loop[FaceId(f)],
                        [&](HalfEdgeId h) { add(geometry.position(brep.point_of(brep.from(h)))); });
     };
-    if (has_slanted_needles(brep.face_count(), for_each_corner))
+    if (has_slanted_needles(brep.face_count(), for_each_corner) || covers_itself(*this))
       oriented_ = std::make_unique<OrientedTree>(*this, for_each_corner);
   });
   return oriented_.get();

@@ -1,5 +1,7 @@
-// Does a line along the x axis miss a face, as far as doubles tell?
+// Does a line along the x axis go through a face, as far as doubles tell?
 #pragma once
+
+#include <optional>
 
 #include "geometry/kernel.h"
 #include "geometry/x_ray.h"
@@ -7,9 +9,10 @@
 
 namespace sectile {
 
-/// Certainly? The line goes through a point that is known, as the corners are, up to half an ulp in
-/// each coordinate.
-inline bool is_missed(const Brep& brep, const Geometry& geometry, FaceId face, const Vec3& p) {
+/// Nothing if that is not certain. The line goes through a point that is known, as the corners are,
+/// up to half an ulp in each coordinate.
+inline std::optional<bool> goes_through(const Brep& brep, const Geometry& geometry, FaceId face,
+                                        const Vec3& p) {
   const auto at = [&](VertexId v) -> const Vec3& { return geometry.position(brep.point_of(v)); };
   XRayParity parity;
   bool certain = true;
@@ -22,7 +25,13 @@ inline bool is_missed(const Brep& brep, const Geometry& geometry, FaceId face, c
       return turn.sign();
     });
   });
-  return certain && !parity.odd();
+  if (!certain) return {};
+  return parity.odd();
+}
+
+/// Does it certainly miss the face?
+inline bool is_missed(const Brep& brep, const Geometry& geometry, FaceId face, const Vec3& p) {
+  return goes_through(brep, geometry, face, p) == false;
 }
 
 }  // namespace sectile

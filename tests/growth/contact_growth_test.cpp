@@ -1,6 +1,7 @@
 // Booleans of solids that come near each other in many places, or only in boxes.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -155,6 +156,106 @@ TEST(Growth, NeedlesBesideNeedles) {
                 },
                 500),
             n_log_n);
+}
+
+// Solids that nothing of the other operand cuts.
+
+Solid trusted(const PolygonMesh& mesh) {
+  ImportOptions options;
+  options.trusted = true;
+  return Solid::from_mesh(mesh, options);
+}
+
+// With its first three corners clockwise, seen from the fourth one.
+void add_tetrahedron(PolygonMesh& mesh, const std::array<Vec3, 4>& corners) {
+  const auto o = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), corners.begin(), corners.end());
+  for (const std::uint32_t k : {0u, 2u, 1u, 0u, 1u, 3u, 1u, 2u, 3u, 0u, 3u, 2u})
+    mesh.indices.push_back(o + k);
+  mesh.face_sizes.insert(mesh.face_sizes.end(), 4, 3);
+}
+
+Vec3 around_z(double radius, double angle, double z) {
+  return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+// From the z axis outwards, each in half of its part of a turn.
+Solid walls(std::size_t n) {
+  PolygonMesh mesh;
+  const auto add_face = [&](std::initializer_list<std::uint32_t> corners) {
+    mesh.face_sizes.push_back(static_cast<std::uint32_t>(corners.size()));
+    mesh.indices.insert(mesh.indices.end(), corners);
+  };
+  const double step = 2 * std::numbers::pi / static_cast<double>(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a = step * static_cast<double>(i), b = a + step / 2;
+    const auto o = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const double z : {0.0, 1.0})
+      for (const Vec3& p : {Vec3{0, 0, z}, around_z(1, a, z), around_z(1, b, z)})
+        mesh.positions.push_back(p);
+    add_face({o, o + 2, o + 1});
+    add_face({o + 3, o + 4, o + 5});
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t next = (k + 1) % 3;
+      add_face({o + k, o + next, o + 3 + next, o + 3 + k});
+    }
+  }
+  return trusted(mesh);
+}
+
+// In the gaps between such walls.
+Solid spikes_between_walls(std::size_t n) {
+  PolygonMesh mesh;
+  const double step = 2 * std::numbers::pi / static_cast<double>(n), width = step / 50;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a = step * (static_cast<double>(i) + 0.75);
+    add_tetrahedron(mesh, {around_z(0.2, a, 0.45), around_z(0.9, a - width, 0.45),
+                           around_z(0.9, a + width, 0.45), around_z(0.9, a, 0.55)});
+  }
+  return trusted(mesh);
+}
+
+// Teeth and gaps of the same width.
+Solid short_comb(std::size_t teeth) {
+  const double length = static_cast<double>(teeth);
+  Profile comb;
+  comb.outer = {{-1, -1}, {length + 1, -1}};
+  for (std::size_t i = teeth; i-- > 0;) {
+    const double x = static_cast<double>(i);
+    comb.outer.insert(comb.outer.end(), {{x + 0.5, 0}, {x + 0.5, 1}, {x, 1}, {x, 0}});
+  }
+  return extrude(comb, 1);
+}
+
+// In all teeth of such a comb, and between them.
+Solid crumbs(std::size_t teeth) {
+  PolygonMesh mesh;
+  for (std::size_t i = 0; i < 2 * teeth; ++i) {
+    const double x = static_cast<double>(i) / 2 + 0.2;
+    add_tetrahedron(
+        mesh, {Vec3{x, 0.4, 0.4}, Vec3{x + 0.1, 0.4, 0.4}, Vec3{x, 0.5, 0.4}, Vec3{x, 0.4, 0.5}});
+  }
+  return trusted(mesh);
+}
+
+double growth_of_uncut(Solid (*large)(std::size_t), Solid (*small)(std::size_t), double degrees,
+                       std::size_t n) {
+  return growth(
+      [&](std::size_t size) {
+        const Transform turn = Transform::rotation_degrees({0.3, -0.5, 0.7}, degrees);
+        return unite({transformed(large(size), turn), transformed(small(size), turn)});
+      },
+      n);
+}
+
+TEST(Growth, SpikesBetweenWallsAroundOneLine) {
+  for (const double degrees : {0.0, 33.0})
+    EXPECT_LT(growth_of_uncut(walls, spikes_between_walls, degrees, 1000), n_log_n);
+}
+
+TEST(Growth, CrumbsInTheTeethOfACombAndBetweenThem) {
+  for (const double degrees : {0.0, 33.0})
+    EXPECT_LT(growth_of_uncut(short_comb, crumbs, degrees, 250), n_log_n);
 }
 
 }  // namespace

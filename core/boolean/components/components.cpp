@@ -294,7 +294,8 @@ class Labelling {
   }
 
   std::uint8_t label_of(PointId p) {
-    return label_(operand_, is_inside(w_, other(operand_), p) ? Class::in : Class::out);
+    if (!is_inside_) is_inside_.emplace(w_, other(operand_));
+    return label_(operand_, (*is_inside_)(p) ? Class::in : Class::out);
   }
 
   Workspace& w_;
@@ -305,11 +306,12 @@ class Labelling {
   const Brep& brep_;
   Table<FaceId, std::uint8_t>& loaded_;
   RestLabels& rest_;
-  std::optional<IdMap> open_ends_;   // if not all of the operand is loaded
-  std::vector<std::uint32_t> near_;  // the slots that are not far
-  std::vector<Pending> front_;       // from where labels may spread further
-  std::vector<FaceId> faces_;        // the same, within one block
-  std::vector<HalfEdgeId> borders_;  // of that block
+  std::optional<PointInSolid> is_inside_;  // the other operand, of points of shells
+  std::optional<IdMap> open_ends_;         // if not all of the operand is loaded
+  std::vector<std::uint32_t> near_;        // the slots that are not far
+  std::vector<Pending> front_;             // from where labels may spread further
+  std::vector<FaceId> faces_;              // the same, within one block
+  std::vector<HalfEdgeId> borders_;        // of that block
 };
 
 }  // namespace

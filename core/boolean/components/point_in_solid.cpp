@@ -1,9 +1,10 @@
 #include "boolean/components/point_in_solid.h"
 
+#include <algorithm>
+
+#include "boolean/boolean.h"
 #include "geometry/x_ray.h"
-#include "search/missed_face.h"
 #include "sectile/errors.h"
-#include "storage/face_query.h"
 
 namespace sectile {
 namespace {
@@ -14,7 +15,8 @@ class RayTest {
   RayTest(const Kernel& kernel, const Brep& brep, PointId point)
       : kernel_(kernel), brep_(brep), point_(point) {}
 
-  bool crosses(FaceId face) const {
+  // One if it leaves the solid through a face, less than none if it enters.
+  int times_left(FaceId face) const {
     XRayParity parity;
     for_each_in_face(brep_, face, [&](HalfEdgeId h) {
       const PointId u = brep_.point_of(brep_.from(h)), v = brep_.point_of(brep_.to(h));
@@ -22,11 +24,12 @@ class RayTest {
                  kernel_.compare(point_, v, 1) == Sign::positive,
                  [&] { return kernel_.turn(u, v, point_, 0); });
     });
-    if (!parity.odd()) return false;
+    if (!parity.odd()) return 0;
     const PlaneId plane = brep_.plane[face];
     const Sign side = kernel_.side(point_, plane);
     if (side == Sign::zero) throw InternalError("a ray starts on the boundary");
-    return side == -kernel_.normal(plane, 0);
+    if (side != -kernel_.normal(plane, 0)) return 0;
+    return side == Sign::negative ? 1 : -1;
   }
 
  private:
@@ -35,41 +38,46 @@ class RayTest {
   PointId point_;
 };
 
-// So many are looked at in no more time than their oriented boxes take.
-constexpr std::size_t few_blocks = 8;
-
 }  // namespace
 
-bool is_inside(Workspace& w, Operand operand, PointId point) {
-  const Patch& patch = w.patch[operand];
-  if (patch.unbounded) return w.tests().side(point, patch.plane(FaceId(0))) == Sign::negative;
-  const SolidData& solid = *patch.solid;
-  const Vec3 p = w.geometry.position(point);
-  const auto meets = [&](const Box& b) {
-    return b.high[0] >= p.x && b.low[1] <= p.y && p.y <= b.high[1] && b.low[2] <= p.z &&
-           p.z <= b.high[2];
-  };
-  if (solid.slot_tree().empty() || !solid.slot_tree().bounds().contains(p)) return false;
-  // Boxes of what is long and slanted overlap very many rays.
-  std::size_t blocks = 0;
-  const OrientedBox ray_box(box_around(p, {solid.slot_tree().bounds().high[0], p.y, p.z}));
-  const auto is_apart = [&](const Block& block) {
-    return ++blocks > few_blocks && apart(block.oriented_bounds(), ray_box);
-  };
-  std::vector<FaceId> faces = faces_where(solid, meets, is_apart);
-  std::erase_if(faces, [&](FaceId f) {
-    const std::uint32_t slot = solid.slot_of(f);
-    const Block& block = *solid.slot(slot).block;
-    return is_missed(block.brep(), block.geometry(), solid.local(slot, f), p);
-  });
-  if (faces.empty()) return false;
-  const Patch hit = load_patch(*patch.solid, faces, w.geometry);
-  w.kernel->refresh();
-  const RayTest ray(w.tests(), hit.brep, point);
-  bool inside = false;
-  for (std::size_t f = 0; f < hit.loaded_faces; ++f)
-    if (ray.crosses(FaceId(f))) inside = !inside;
-  return inside;
+PointInSolid::PointInSolid(Workspace& w, Operand operand) : w_(w), operand_(operand) {
+  if (!w.patch[operand].unbounded) faces_.emplace(*w.patch[operand].solid);
+}
+
+bool PointInSolid::operator()(PointId point) {
+  if (!faces_) return w_.tests().side(point, w_.patch[operand_].plane(FaceId(0))) == Sign::negative;
+  Group group;
+  faces_->start(w_.geometry.position(point));
+  while (true) {
+    if (!group.empty && (faces_->at_end() || faces_->begin() > group.to)) {
+      if (const int times = times_left(group, point); times != 0) return times > 0;
+      group = {};
+    }
+    if (faces_->at_end()) return false;
+    if (const auto met = faces_->next()) group.add(*met);
+  }
+}
+
+void PointInSolid::Group::add(const FacesOnRay::Met& met) {
+  to = empty ? met.to : std::max(to, met.to);
+  empty = false;
+  if (met.normal == Sign::zero)
+    unclear.push_back(met.face);
+  else
+    left += met.normal == Sign::positive ? 1 : -1;
+}
+
+int PointInSolid::times_left(const Group& group, PointId point) {
+  if (group.unclear.empty()) return group.left;
+  std::vector<FaceId> faces = group.unclear;
+  std::ranges::sort(faces);
+  const Patch unclear = load_patch(*w_.patch[operand_].solid, faces, w_.geometry);
+  w_.kernel->refresh();
+  const RayTest ray(w_.tests(), unclear.brep, point);
+  int left = group.left;
+  // More may be loaded: those that are met elsewhere do not count here.
+  for (const FaceId f : faces) left += ray.times_left(loaded_face(unclear, f));
+  return left;
 }
 
 }  // namespace sectile

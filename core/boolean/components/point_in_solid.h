@@ -1,12 +1,40 @@
-// Point in solid, by one exact ray.
+// Point in solid, by exact rays.
+//
+// The face that a ray meets first tells by its side. Faces are looked at in groups that are met
+// certainly before all others, as far as doubles tell; as faces of a solid are left and entered in
+// turns, one group after the other says that the ray leaves the solid there, that it enters it, or,
+// as at an edge that it only comes near to, nothing.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "boolean/workspace.h"
+#include "storage/faces_on_ray.h"
 
 namespace sectile {
 
-/// Is a point, which is not on the boundary of an operand, inside it? May add to the workspace's
-/// geometry.
-bool is_inside(Workspace& w, Operand operand, PointId point);
+class PointInSolid {
+ public:
+  PointInSolid(Workspace& w, Operand operand);
+
+  /// Is a point, which is not on the boundary of the operand, inside it? May add to the workspace's
+  /// geometry.
+  bool operator()(PointId point);
+
+ private:
+  struct Group {
+    double to = 0;
+    int left = 0;  // how often the solid is left, less how often it is entered
+    std::vector<FaceId> unclear;
+    bool empty = true;
+    void add(const FacesOnRay::Met& met);
+  };
+  int times_left(const Group& group, PointId point);
+
+  Workspace& w_;
+  Operand operand_;
+  std::optional<FacesOnRay> faces_;  // none of a half-space
+};
 
 }  // namespace sectile

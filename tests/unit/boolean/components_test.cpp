@@ -76,10 +76,11 @@ TEST(PointInSolid, IsAnsweredForLoadedAndUnloadedFaces) {
   const PointId within = g.add_point(Vec3{1, 1, 1}), level = g.add_point(Vec3{-1, 2, 2}),
                 beside = g.add_point(Vec3{3, 1, 1});
   phases.w.kernel->refresh();
-  EXPECT_TRUE(is_inside(phases.w, Operand::a, within));
-  EXPECT_FALSE(is_inside(phases.w, Operand::a, level));  // the ray runs along an edge
-  EXPECT_FALSE(is_inside(phases.w, Operand::a, beside));
-  EXPECT_FALSE(is_inside(phases.w, Operand::b, within));
+  PointInSolid in_a(phases.w, Operand::a), in_b(phases.w, Operand::b);
+  EXPECT_TRUE(in_a(within));
+  EXPECT_FALSE(in_a(level));  // the ray runs along an edge
+  EXPECT_FALSE(in_a(beside));
+  EXPECT_FALSE(in_b(within));
 }
 
 }  // namespace
