@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <iterator>
 #include <tuple>
 
 #include "boolean/collect.h"
@@ -132,36 +132,24 @@ void CrowdedLines::add_pairs_along(std::uint32_t line,
       });
 }
 
-namespace {
-
-// Some result has its material where, at edges of B with blunt or sharp wedges, B's is, or is not.
-bool may_be_blunt(Operand s, bool is_blunt, const Wanted& wanted) {
-  if (wanted.of_complement) return false;  // each edge is paired with what is beside it
-  return std::ranges::any_of(
-      wanted.operations, [&](Operation operation) { return is_blunt != reversed(operation, s); });
-}
-
-}  // namespace
-
 void CrowdedLines::add_wedge_pairs(std::uint32_t line,
                                    const PerOperand<std::vector<std::uint32_t>>& faces,
                                    const Wanted& wanted, FacePairs& pairs) const {
   PerOperand<std::vector<Wedge>> all;
   for (const Operand s : both_operands) all[s] = wedges(line, faces[s]);
-  const auto is_blunt = [&](Operand s) {
-    return [&wanted, s](const Wedge& wedge) { return may_be_blunt(s, wedge.is_blunt, wanted); };
-  };
-  const bool any_of_b = std::ranges::any_of(all[Operand::b], is_blunt(Operand::b));
   PerOperand<std::vector<Box>> boxes;
   PerOperand<std::vector<std::uint32_t>> wedge_of;
-  for (const Operand s : both_operands)
+  for (const Operand s : both_operands) {
+    const bool mostly_blunt =
+        2 * std::ranges::count_if(all[s], &Wedge::is_blunt) > std::ssize(all[s]);
     for (std::uint32_t i = 0; i < all[s].size(); ++i) {
-      const bool everywhere = any_of_b && s == Operand::a && is_blunt(s)(all[s][i]);
+      const bool everywhere = all[s][i].is_blunt != mostly_blunt && !wanted.of_complement;
       for (const Box& box : boxes_of(all[s][i], everywhere)) {
         boxes[s].push_back(box);
         wedge_of[s].push_back(i);
       }
     }
+  }
   BoxTree::overlaps(BoxTree(boxes[Operand::a]), BoxTree(boxes[Operand::b]),
                     [&](std::uint32_t i, std::uint32_t j) {
                       for (const std::uint32_t f : all[Operand::a][wedge_of[Operand::a][i]].face)

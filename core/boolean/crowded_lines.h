@@ -8,12 +8,14 @@
 // one side of the other's to its other side: neither has to be cut, and what one is to the other
 // is the same on all of it. Only where a wedge of material at an edge of one has a direction in
 // common with a wedge of the other, the material of a result has edges of both, and they are paired
-// there. If one of the two wedges is more than half a turn, and the other one lies within it, the
-// result has edges of one of them only; so it is enough to ask what the sharp parts between their
-// faces have in common, unless the material, or for a difference what is not B's, is the blunt part
-// for both. All other pairs are left out, and what hangs together by no pair is a cluster of its
-// own (reduction/clusters.h). Within a cluster, edges are divided at few of the ends of others
-// (neighborhoods/row_sweep.h).
+// there. On which side of a boundary an edge is, is seen from the wedges of it that are in pairs
+// with that edge, and these must not contradict those that are in none: what lies in no part of
+// less than half a turn between the faces of a wedge is outside, where these parts are material;
+// where they are gaps between material, as for the complement, it is inside. What is not as most
+// wedges of a solid along the line are is in pairs in all directions; but where a solid is tested
+// against itself, each edge is paired with what is beside it. All other pairs are left out, and
+// what hangs together by no pair is a cluster of its own (reduction/clusters.h). Within a cluster,
+// edges are divided at few of the ends of others (neighborhoods/row_sweep.h).
 #pragma once
 
 #include <cstdint>

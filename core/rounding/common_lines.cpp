@@ -85,7 +85,7 @@ class DividedEdges {
     keep_near(edges_, moving_points);
     keep_near(points_, moving_edges);
     std::ranges::sort(edges_);
-    edges_.erase(std::ranges::unique(edges_).begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
   }
   template <class T>
   void keep_near(std::vector<T>& all, const BoxIndex& moving) const {

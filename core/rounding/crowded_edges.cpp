@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "search/approximate.h"
+#include "search/box_index.h"
 #include "search/edges_by_line.h"
-#include "search/piece_tree.h"
 
 namespace sectile {
 namespace {
 
 using namespace approximate;
+
+// Where very many edges are near a corner, some tell enough.
+constexpr std::size_t most_looks = 64;
 
 class CrowdedEdges {
  public:
@@ -27,18 +31,18 @@ class CrowdedEdges {
   }
 
   bool found() const {
-    std::vector<PieceTree::Edge> edges, corners;
-    for (const Edge& e : edges_) edges.push_back({e.from, e.to});
-    for (const Corner& c : corners_) corners.push_back({c.at, c.at});
-    std::vector<std::uint32_t> edges_at(corners.size(), 0);
-    PieceTree::overlaps(PieceTree(edges), PieceTree(corners),
-                        [&](std::uint32_t e, std::uint32_t c) {
-                          if (may_be_on(corners_[c], edges_[e])) ++edges_at[c];
-                        });
+    std::vector<Box> boxes;
+    for (const Edge& e : edges_) boxes.push_back(box_around(e.from, e.to));
+    const BoxIndex index(boxes);
     std::size_t on_edges = 0, times = 0;
-    for (const std::uint32_t count : edges_at) {
-      on_edges += count > 0 ? 1 : 0;
-      times += count;
+    for (const Corner& corner : corners_) {
+      std::size_t looks = 0, found = 0;
+      index.overlapping(box_around(corner.at, corner.at), [&](std::uint32_t e) {
+        found += may_be_on(corner, edges_[e]) ? 1 : 0;
+        return ++looks < most_looks;
+      });
+      on_edges += found > 0 ? 1 : 0;
+      times += found;
     }
     return times > 2 * on_edges;
   }
@@ -56,7 +60,10 @@ class CrowdedEdges {
   template <class T, class Key>
   static void keep_each_once(std::vector<T>& all, Key key) {
     std::ranges::sort(all, {}, key);
-    all.erase(std::ranges::unique(all, {}, key).begin(), all.end());
+    const auto again = std::unique(all.begin(), all.end(), [&](const T& p, const T& q) {
+      return std::invoke(key, p) == std::invoke(key, q);
+    });
+    all.erase(again, all.end());
   }
 
   bool may_be_on(const Corner& corner, const Edge& edge) const {

@@ -1,4 +1,4 @@
-sectile_test(books_test SOURCES books_test.cpp crowded_books_test.cpp)
+sectile_test(books_test SOURCES books_test.cpp crowded_books_test.cpp crossing_books_test.cpp)
 sectile_test(far_loops_test SOURCES far_loops_test.cpp)
 sectile_test(hubs_test SOURCES hubs_test.cpp)
 sectile_test(face_parts_test SOURCES face_parts_test.cpp)
