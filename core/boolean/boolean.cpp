@@ -107,7 +107,7 @@ Solid assemble(Workspace& w, const CutBoundaries& boundaries, Operation operatio
 Solid assemble(Workspace& w, const CutBoundaries& boundaries, const FaceLabels& kept,
                Operation operation, std::size_t number) {
   const auto& [contacts, neighborhoods, joined] = boundaries;
-  const Wedges& wedges = neighborhoods.wedges[number];
+  const std::vector<WedgePair>& wedges = neighborhoods.wedges[number];
   if (w.options.observer) report_components(w, kept, operation);
 
   // Several results share what is left after the cut.
@@ -116,7 +116,7 @@ Solid assemble(Workspace& w, const CutBoundaries& boundaries, const FaceLabels& 
   };
   assembled(0.25);
   Glued glued = glue(w, operation, neighborhoods, wedges, joined, kept);
-  if (w.options.observer) report_gluing(w, contacts, neighborhoods, wedges.pairs);
+  if (w.options.observer) report_gluing(w, contacts, neighborhoods, wedges);
 
   assembled(0.75);
   Solid result = solid_of(w, std::move(glued));

@@ -26,7 +26,7 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs
           const Wanted& wanted = {});
 /// Both operands are one solid, of which nothing but the faces in some of its slots can be loaded.
 void load_slots(Workspace& w, const SolidData& solid, std::span<const std::uint32_t> slots,
-                FacePairs& pairs, const Wanted& wanted = {});
+                FacePairs& pairs);
 /// The loaded face that stands for a face of the operand.
 FaceId loaded_face(const Patch& patch, FaceId face);
 

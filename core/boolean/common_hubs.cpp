@@ -124,27 +124,12 @@ void CommonHubs::for_each_fan(const Visit& visit) const {
   }
 }
 
-namespace {
-
-// All boxes are apart, once there are more pairs than are asked for.
-struct Enough : BoxTree::NothingApart {
-  const FacePairs& pairs;
-  std::size_t most;
-  Enough(const FacePairs& p, std::size_t m) : pairs(p), most(m) {}
-  bool nodes(BoxTree::Node, BoxTree::Node) const { return pairs.size() > most; }
-};
-
-}  // namespace
-
-void CommonHubs::add_pairs(FacePairs& pairs, std::size_t most) const {
+void CommonHubs::add_pairs(FacePairs& pairs) const {
   for_each_fan([&](const CommonFan& fan) {
     const Fan &a = fan.of[Operand::a], &b = fan.of[Operand::b];
-    BoxTree::overlaps(
-        BoxTree(a.boxes), BoxTree(b.boxes),
-        [&](std::uint32_t i, std::uint32_t j) {
-          pairs.push_back({a.faces[i], b.faces[j]});
-        },
-        [](std::uint32_t, std::uint32_t) { return false; }, Enough(pairs, most));
+    BoxTree::overlaps(BoxTree(a.boxes), BoxTree(b.boxes), [&](std::uint32_t i, std::uint32_t j) {
+      pairs.push_back({a.faces[i], b.faces[j]});
+    });
   });
 }
 

@@ -3,7 +3,6 @@
 // faces are told apart by the directions in which they leave the line.
 #pragma once
 
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -30,10 +29,8 @@ class CommonHubs {
     return fan(Operand::a, slot_of_a, hub_of_a) == fan(Operand::b, slot_of_b, hub_of_b);
   }
 
-  /// Adds the pairs that leave a common hub, or line, in a common direction: maybe not all of them,
-  /// if there are more pairs than `most` then.
-  void add_pairs(FacePairs& pairs,
-                 std::size_t most = std::numeric_limits<std::size_t>::max()) const;
+  /// Adds the pairs that leave a common hub, or line, in a common direction.
+  void add_pairs(FacePairs& pairs) const;
   /// The faces of all fans: they meet in their hubs. Some may be named twice.
   PerOperand<std::vector<FaceId>> faces() const;
   /// The hubs themselves, and edges between them, meet the faces of the other fan: adds the pairs

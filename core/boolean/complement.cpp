@@ -43,48 +43,37 @@ FaceLabels all_of_one(const Workspace& w) {
   return kept;
 }
 
-// The slots near the contacts' segments, and rows.
+// The slots near the contacts' segments.
 std::vector<std::uint32_t> slots_near_segments(const Workspace& w, const SolidData& solid,
                                                const Contacts& contacts) {
   std::vector<Box> boxes;
-  const auto add = [&](PlaceId from, PlaceId to) {
+  for (const SegmentRecord& r : contacts.segments) {
     Bounds bounds;
-    for (const PlaceId place : {from, to}) bounds.add(w.geometry.position(contacts.point(place)));
+    for (const PlaceId place : r.place) bounds.add(w.geometry.position(contacts.point(place)));
     boxes.push_back(bounds.box());
-  };
-  for (const SegmentRecord& r : contacts.segments) add(r.place[0], r.place[1]);
-  for (const Row& row : contacts.rows)
-    for (const Row::Run& run : row.runs) add(row.places[run.from], row.places[run.to]);
+  }
   return slots_near(solid, boxes);
 }
 
-// A line in which the solid touches itself may lead on to other slots. Where very many edges run
-// along one line, faces that leave it in different directions are in no pair, but the edges are
-// in one row, or else all is tested.
+// A line in which the solid touches itself may lead on to other slots.
 std::shared_ptr<const SolidData> paired_for_complement(const SolidData& solid) {
   const BooleanOptions options;
-  const Operation united[] = {Operation::unite};
-  const Wanted wanted{united, true};
-  bool leaves_out = true;
   const auto first = solid.touching_slots();
   for (std::vector<std::uint32_t> slots(first.begin(), first.end());;) {
     Workspace w(options);
     FacePairs pairs;
-    load_slots(w, solid, slots, pairs, leaves_out ? wanted : Wanted{});
-    Contacts contacts = reduce(w, pairs, RowsOf::lines);
-    if (contacts.has_unswept_rows) {
-      leaves_out = false;
-      continue;
-    }
+    load_slots(w, solid, slots, pairs);
+    Contacts contacts = reduce(w, pairs);
     leave_touching_segments(contacts);
-    if (contacts.segments.empty() && contacts.rows.empty()) return nullptr;
+    if (contacts.segments.empty()) return nullptr;
     const std::vector<std::uint32_t> near = slots_near_segments(w, solid, contacts);
     const std::size_t known = slots.size();
     slots.insert(slots.end(), near.begin(), near.end());
     std::sort(slots.begin(), slots.end());
     slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
     if (slots.size() > known) continue;
-    const CutBoundaries boundaries = cut_at(w, std::move(contacts), wanted);
+    const Operation wanted[] = {Operation::unite};
+    const CutBoundaries boundaries = cut_at(w, std::move(contacts), {wanted, true});
     return assemble(w, boundaries, all_of_one(w), Operation::unite, 0).data();
   }
 }

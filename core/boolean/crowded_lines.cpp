@@ -1,8 +1,7 @@
 #include "boolean/crowded_lines.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
+#include <set>
 #include <tuple>
 
 #include "boolean/collect.h"
@@ -66,19 +65,15 @@ bool CrowdedLines::is_on(PointId p, std::uint32_t line) const {
                              [&](const SpineLines::On& on) { return on.line == line; });
 }
 
-FacePairs CrowdedLines::pairs(const Wanted& wanted) {
+FacePairs CrowdedLines::pairs() {
   FacePairs pairs;
   add_pairs_off_lines(pairs);
   std::vector<PerOperand<std::vector<std::uint32_t>>> at(lines_.count());
-  leaving_.resize(faces_.size());
-  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-    if (faces_[f].line == none) continue;
-    at[faces_[f].line][faces_[f].solid].push_back(f);
-    leaving_[f] = leaving(f);
-  }
+  for (std::uint32_t f = 0; f < faces_.size(); ++f)
+    if (faces_[f].line != none) at[faces_[f].line][faces_[f].solid].push_back(f);
   for (std::uint32_t line = 0; line < at.size(); ++line) {
     add_pairs_along(line, at[line], pairs);
-    add_wedge_pairs(line, at[line], wanted, pairs);
+    add_wedge_pairs(line, at[line], pairs);
   }
   return pairs;
 }
@@ -134,41 +129,19 @@ void CrowdedLines::add_pairs_along(std::uint32_t line,
 
 void CrowdedLines::add_wedge_pairs(std::uint32_t line,
                                    const PerOperand<std::vector<std::uint32_t>>& faces,
-                                   const Wanted& wanted, FacePairs& pairs) const {
+                                   FacePairs& pairs) const {
   PerOperand<std::vector<Wedge>> all;
-  for (const Operand s : both_operands) all[s] = wedges(line, faces[s]);
   PerOperand<std::vector<Box>> boxes;
-  PerOperand<std::vector<std::uint32_t>> wedge_of;
   for (const Operand s : both_operands) {
-    const bool mostly_blunt =
-        2 * std::ranges::count_if(all[s], &Wedge::is_blunt) > std::ssize(all[s]);
-    for (std::uint32_t i = 0; i < all[s].size(); ++i) {
-      const bool everywhere = all[s][i].is_blunt != mostly_blunt && !wanted.of_complement;
-      for (const Box& box : boxes_of(all[s][i], everywhere)) {
-        boxes[s].push_back(box);
-        wedge_of[s].push_back(i);
-      }
-    }
+    all[s] = wedges(line, faces[s]);
+    for (const Wedge& wedge : all[s]) boxes[s].push_back(wedge.box);
   }
   BoxTree::overlaps(BoxTree(boxes[Operand::a]), BoxTree(boxes[Operand::b]),
                     [&](std::uint32_t i, std::uint32_t j) {
-                      for (const std::uint32_t f : all[Operand::a][wedge_of[Operand::a][i]].face)
-                        for (const std::uint32_t g : all[Operand::b][wedge_of[Operand::b][j]].face)
+                      for (const std::uint32_t f : all[Operand::a][i].face)
+                        for (const std::uint32_t g : all[Operand::b][j].face)
                           pairs.push_back({in_solid(f), in_solid(g)});
                     });
-}
-
-// By angles; those at which a turn ends lie where it begins, too.
-std::vector<Box> CrowdedLines::boxes_of(const Wedge& wedge, bool everywhere) {
-  Box box = wedge.reach;
-  if (everywhere || wedge.high - wedge.low >= 2) return {box};
-  const auto at_angles = [&](double low, double high) {
-    box.low[0] = round_down(low);
-    box.high[0] = round_up(high);
-    return box;
-  };
-  if (wedge.high < 4) return {at_angles(wedge.low, wedge.high)};
-  return {at_angles(wedge.low, wedge.high), at_angles(wedge.low - 4, wedge.high - 4)};
 }
 
 // A face that is not at the line itself is in pairs with all that it meets there.
@@ -181,10 +154,9 @@ std::vector<CrowdedLines::Wedge> CrowdedLines::wedges(
       const std::uint32_t beyond = face_beyond(faces_[f], side.h);
       if (beyond == none) {
         const Vec3 ends[] = {at(side.from), at(side.to)};
-        const Box reach = lines_[line].reach(ends);
-        wedges.push_back({{f, f}, reach});
+        wedges.push_back({{f, f}, lines_[line].reach(ends)});
       } else if (f < beyond && faces_[beyond].line == line) {
-        wedges.push_back(wedge(line, f, side, beyond));
+        wedges.push_back({{f, beyond}, box_of_wedge(line, f, side, beyond)});
       }
     }
   return wedges;
@@ -198,45 +170,22 @@ std::uint32_t CrowdedLines::face_beyond(const Face& face, HalfEdgeId h) const {
   return first + there.brep().face_of(across.local).value();
 }
 
-// Where doubles do not tell which part is the sharp one: all directions.
-CrowdedLines::Wedge CrowdedLines::wedge(std::uint32_t line, std::uint32_t face, const Side& side,
-                                        std::uint32_t beyond) const {
+// Where the wedge is not certainly the part of less than half a turn: all directions.
+Box CrowdedLines::box_of_wedge(std::uint32_t line, std::uint32_t face, const Side& side,
+                               std::uint32_t beyond) const {
   const AlongLine& along = lines_[line];
+  std::vector<Vec3> on_line, beside;
+  sort_corners(line, face, on_line, beside);
+  const std::size_t of_face = beside.size();
+  sort_corners(line, beyond, on_line, beside);
   const Vec3 ends[] = {at(side.from), at(side.to)};
-  const Wedge of_all{{face, beyond}, along.reach(ends)};
-  const Leaving &here = leaving_[face], &there = leaving_[beyond];
-  if (!here.is_known || !there.is_known) return of_all;
+  if (of_face == 0 || of_face == beside.size()) return along.reach(ends);
   // Half-edges have their face on the left, seen from outside: beyond a sharp edge the other face
   // goes down on the right.
   const bool turned = data_[faces_[face].solid]->slot(faces_[face].slot).turned;
-  const Sign way = along.along(ends[0], ends[1]) * (turned ? Sign::positive : Sign::negative),
-             sharp = along.turn(here.corner, there.corner) * way;
-  const double d = std::remainder(there.at - here.at, 4), low = std::min(here.low, d + there.low),
-               high = std::max(here.high, d + there.high);
-  if (sharp == Sign::zero || high - low >= 2) return of_all;
-  Wedge wedge = of_all;
-  wedge.low = here.at + low;
-  if (wedge.low < 0) wedge.low += 4;
-  wedge.high = wedge.low + (high - low);
-  wedge.is_blunt = sharp == Sign::negative;
-  return wedge;
-}
-
-CrowdedLines::Leaving CrowdedLines::leaving(std::uint32_t face) const {
-  constexpr double widest = 0.25;  // of one half-plane, but for rounding
-  const std::uint32_t line = faces_[face].line;
-  Leaving leaving;
-  for (const Side& side : sides(faces_[face])) {
-    if (is_on(side.from, line)) continue;
-    const auto angle = lines_[line].angle(at(side.from));
-    if (!angle) return {};
-    if (!leaving.is_known) leaving = {true, at(side.from), angle->at, 0, 0};
-    const double d = std::remainder(angle->at - leaving.at, 4);
-    leaving.low = std::min(leaving.low, d - angle->error);
-    leaving.high = std::max(leaving.high, d + angle->error);
-    if (leaving.high - leaving.low > widest) return {};
-  }
-  return leaving;
+  const Sign way = along.along(ends[0], ends[1]) * (turned ? Sign::negative : Sign::positive);
+  if (along.turn(beside[0], beside[of_face]) * way != Sign::negative) return along.reach(ends);
+  return along.box(on_line, beside);
 }
 
 void CrowdedLines::sort_corners(std::uint32_t line, std::uint32_t face, std::vector<Vec3>& on_line,
@@ -260,6 +209,33 @@ void CrowdedLines::mark_vertices(Workspace& w) const {
     for (const VertexId v : patch.brep.vertices())
       patch.on_crowded_line.add(std::ranges::binary_search(
           places, coordinates(w.geometry.position(patch.brep.point_of(v))), {}, coordinates));
+}
+
+namespace {
+
+// Calls visit(face) for the owners of what a face has on crowded lines.
+template <class Visit>
+void for_each_owner_on_lines(const Patch& patch, FaceId face, const Visit& visit) {
+  const auto is_on = [&](VertexId v) { return patch.on_crowded_line[v] != 0; };
+  for_each_in_face(patch.brep, face, [&](HalfEdgeId h) {
+    if (!is_on(patch.brep.from(h))) return;
+    visit(patch.owner(patch.brep.from(h)));
+    if (is_on(patch.brep.to(h))) visit(patch.owner(Brep::edge_of(h)));
+  });
+}
+
+}  // namespace
+
+void add_owners_on_lines(const Workspace& w, FacePairs& pairs) {
+  std::set<std::pair<FaceId, FaceId>> known(pairs.begin(), pairs.end());
+  const auto add = [&](FaceId f, FaceId g) {
+    if (known.insert({f, g}).second) pairs.push_back({f, g});
+  };
+  for (std::size_t i = 0; i < pairs.size(); ++i) {  // those that are added, too
+    const FaceId f = pairs[i].first, g = pairs[i].second;
+    for_each_owner_on_lines(w.patch[Operand::a], f, [&](FaceId owner) { add(owner, g); });
+    for_each_owner_on_lines(w.patch[Operand::b], g, [&](FaceId owner) { add(f, owner); });
+  }
 }
 
 }  // namespace sectile

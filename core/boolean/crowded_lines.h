@@ -8,14 +8,8 @@
 // one side of the other's to its other side: neither has to be cut, and what one is to the other
 // is the same on all of it. Only where a wedge of material at an edge of one has a direction in
 // common with a wedge of the other, the material of a result has edges of both, and they are paired
-// there. On which side of a boundary an edge is, is seen from the wedges of it that are in pairs
-// with that edge, and these must not contradict those that are in none: what lies in no part of
-// less than half a turn between the faces of a wedge is outside, where these parts are material;
-// where they are gaps between material, as for the complement, it is inside. What is not as most
-// wedges of a solid along the line are is in pairs in all directions; but where a solid is tested
-// against itself, each edge is paired with what is beside it. All other pairs are left out, and
-// what hangs together by no pair is a cluster of its own (reduction/clusters.h). Within a cluster,
-// edges are divided at few of the ends of others (neighborhoods/row_sweep.h).
+// there. All other pairs are left out, and what hangs together by no pair is a cluster of its own
+// (reduction/clusters.h).
 #pragma once
 
 #include <cstdint>
@@ -23,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "boolean/neighborhoods/neighborhoods.h"
+#include "boolean/reduction/reduction.h"
 #include "search/hull.h"
 #include "search/spine_lines.h"
 #include "storage/solid_data.h"
@@ -38,7 +32,7 @@ class CrowdedLines {
 
   bool empty() const { return lines_.count() == 0; }
   /// All pairs of faces of the solids that may meet, but for those that matter nowhere.
-  FacePairs pairs(const Wanted& wanted);
+  FacePairs pairs();
   /// The faces at the lines. Rays must not begin in what they have on them.
   PerOperand<std::vector<FaceId>> faces() const;
   /// Marks the vertices on the lines, and maybe some beside them, in patches with these faces.
@@ -59,18 +53,10 @@ class CrowdedLines {
     HalfEdgeId h;
     PointId from, to;
   };
-  /// What two faces bound at an edge on their line, from end to end of the edge.
+  /// What two faces bound at an edge on their line.
   struct Wedge {
     std::uint32_t face[2];
-    Box reach;                 // along the line
-    double low = 0, high = 4;  // angles around the sharp part, or around all if that is not known
-    bool is_blunt = false;
-  };
-  /// The angles at which a face leaves its line, beside that of its first corner off it.
-  struct Leaving {
-    bool is_known = false;
-    Vec3 corner;
-    double at = 0, low = 0, high = 0;
+    Box box;
   };
 
   void add_faces(Operand s, std::uint32_t slot);
@@ -81,13 +67,12 @@ class CrowdedLines {
   void add_pairs_along(std::uint32_t line, const PerOperand<std::vector<std::uint32_t>>& faces,
                        FacePairs& pairs) const;
   void add_wedge_pairs(std::uint32_t line, const PerOperand<std::vector<std::uint32_t>>& faces,
-                       const Wanted& wanted, FacePairs& pairs) const;
+                       FacePairs& pairs) const;
   std::vector<Wedge> wedges(std::uint32_t line, const std::vector<std::uint32_t>& faces) const;
-  Wedge wedge(std::uint32_t line, std::uint32_t face, const Side& side, std::uint32_t beyond) const;
+  Box box_of_wedge(std::uint32_t line, std::uint32_t face, const Side& side,
+                   std::uint32_t beyond) const;
   void sort_corners(std::uint32_t line, std::uint32_t face, std::vector<Vec3>& on_line,
                     std::vector<Vec3>& beside) const;
-  static std::vector<Box> boxes_of(const Wedge& wedge, bool everywhere);
-  Leaving leaving(std::uint32_t face) const;
   /// None if its block is not near.
   std::uint32_t face_beyond(const Face& face, HalfEdgeId h) const;
 
@@ -109,8 +94,11 @@ class CrowdedLines {
   std::vector<Side> sides_;                            // by face
   PerOperand<std::vector<std::uint32_t>> first_face_;  // per slot that is near
   SpineLines lines_;
-  std::vector<Leaving> leaving_;            // per face, if it is at a line
   std::vector<std::optional<Hull>> hulls_;  // of faces that were asked for
 };
+
+/// What a face of a pair has on a crowded line is tested against the other one in the pair of the
+/// face that speaks for it: adds these pairs of loaded faces.
+void add_owners_on_lines(const Workspace& w, FacePairs& pairs);
 
 }  // namespace sectile

@@ -151,7 +151,7 @@ class NearPairs {
     const std::size_t most = for_each_face * faces_;
     FacePairs pairs = by_blocks(most);
     if (is_crowded() || count_ > most) return {};
-    hubs_.add_pairs(pairs, most);
+    hubs_.add_pairs(pairs);
     if (pairs.size() > most) return {};
     return pairs;
   }
@@ -205,9 +205,8 @@ class NearPairs {
   std::atomic<std::size_t> looks_ = 0, count_ = 0;
 };
 
-// For each face near the other solid. Where there are more, it is worth while to find out why. A
-// solid that is tested against itself has some for each face at all of its corners.
-constexpr std::size_t many_pairs = 8, many_with_itself = 32;
+// For each face near the other solid. Where there are more, it is worth while to find out why.
+constexpr std::size_t many_pairs = 8;
 
 // Whoever follows the phases, or asks for all that is cut, is shown all that meets.
 bool may_leave_out(const Workspace& w, const Wanted& wanted) {
@@ -222,13 +221,13 @@ std::optional<CrowdedLines> lines_or_pairs(const Workspace& w, const SolidData& 
                                            FacePairs& pairs) {
   NearPairs near(w, a, b, slots, hubs);
   if (may_leave_out(w, wanted)) {
-    if (auto few = near.few(&a == &b ? many_with_itself : many_pairs)) {
+    if (auto few = near.few(many_pairs)) {
       pairs = *std::move(few);
       return {};
     }
     CrowdedLines lines(a, b, {{slots.slots(Operand::a), slots.slots(Operand::b)}});
     if (!lines.empty()) {
-      pairs = lines.pairs(wanted);
+      pairs = lines.pairs();
       return lines;
     }
   }
@@ -244,7 +243,7 @@ std::vector<FarLoops> far_loops(const Workspace& w, Operand s,
                                 const Wanted& wanted) {
   const SolidData &mine = *of[s], &across = *of[other(s)];
   const auto may_leave = [&](std::uint32_t slot) { return may_have_far_loops(mine.slot(slot)); };
-  if (w.options.observer || wanted.operations.empty() || wanted.of_complement ||
+  if (w.options.observer || wanted.operations.empty() ||
       std::ranges::none_of(slots.slots(s), may_leave))
     return {};
   std::vector<FaceAndBox> near;
@@ -313,10 +312,12 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
   }
   unite_equal_planes(w, pairs);
   complete_patches(w.patch, w.geometry, *w.kernel);
-  if (lines)
+  if (lines) {
     lines->mark_vertices(w);
-  else
+    add_owners_on_lines(w, pairs);
+  } else {
     hubs.add_pairs_of_owners(w, pairs);
+  }
   sort(pairs, w.patch[Operand::a].loaded_faces);
 }
 
@@ -328,8 +329,8 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs
 }
 
 void load_slots(Workspace& w, const SolidData& solid, std::span<const std::uint32_t> slots,
-                FacePairs& pairs, const Wanted& wanted) {
-  load(w, solid, solid, SlotPairs(solid, slots), pairs, wanted);
+                FacePairs& pairs) {
+  load(w, solid, solid, SlotPairs(solid, slots), pairs, {});
 }
 
 }  // namespace sectile

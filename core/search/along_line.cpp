@@ -64,17 +64,6 @@ Sign AlongLine::turn(const Vec3& from, const Vec3& to) const {
   return sign_of(p - q) * sign_of(length_);
 }
 
-// On the square |u| + |v| = 1. Where a point moves by e at most on both axes, its image there does
-// by e / (|u| + |v|), and a bit more as that sum changes, too.
-std::optional<AlongLine::Angle> AlongLine::angle(const Vec3& p) const {
-  const Vec3 d = seen(p);
-  const double size = std::abs(d.x) + std::abs(d.y), off = error(p);
-  if (!(16 * off < size)) return {};
-  const double part = d.y / size;
-  const double at = d.x >= 0 ? (part >= 0 ? part : 4 + part) : 2 - part;
-  return Angle{at, 4 * off / size + 32 * rounding::unit};
-}
-
 // Rounding to nearest is monotonic.
 Sign AlongLine::along(const Vec3& from, const Vec3& to) const {
   return sign_of(component(to, axis_) - component(from, axis_)) * sign_of(length_);

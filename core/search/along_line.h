@@ -4,7 +4,6 @@
 // in nothing but the line, however near to it they are.
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "numbers/sign.h"
@@ -23,13 +22,6 @@ class AlongLine {
   Box box(std::span<const Vec3> on_line, std::span<const Vec3> beside) const;
   /// For all directions; how far points on the line reach.
   Box reach(std::span<const Vec3> on_line) const;
-
-  /// The direction in which a point leaves the line, as a number that grows counter-clockwise, seen
-  /// as boxes are: a turn is 4, half of one 2. None if doubles do not tell it well.
-  struct Angle {
-    double at, error;
-  };
-  std::optional<Angle> angle(const Vec3& p) const;
 
   /// The shorter way around the line from the direction of one point to that of another:
   /// counter-clockwise, seen from where the line leads to? Zero if doubles do not tell.

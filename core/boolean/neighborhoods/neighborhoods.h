@@ -34,8 +34,7 @@ struct HalfPlane {
   Class cls = Class::out;
 };
 
-/// A contact segment with all that meets in it; of a row of edges, as much of one edge as has the
-/// same neighbors all along (row_sweep.h).
+/// A contact segment with all that meets in it.
 struct Segment {
   PlaceId place[2];
   IdRange<CarrierId> carriers;
@@ -48,19 +47,12 @@ struct WedgePair {
   HalfPlaneId first, second;
 };
 
-/// The wedges of material of a result.
-struct Wedges {
-  std::vector<WedgePair> pairs;  ///< in the order of the segments, those of rows last
-  /// Sides of cuts that go on where the side before them ends, in the same wedge: what is paired
-  /// for that one is paired for them, too.
-  std::vector<HalfPlaneId> continued;
-};
-
 struct Neighborhoods {
   Table<SegmentId, Segment> segments;
   Table<CarrierId, Carrier> carriers;
   Table<HalfPlaneId, HalfPlane> half_planes;
-  std::vector<Wedges> wedges;  ///< per wanted operation
+  /// Per wanted operation, in the order of the segments.
+  std::vector<std::vector<WedgePair>> wedges;
 };
 
 /// For which results the boundaries are cut. If no operation is wanted, the carriers between whose

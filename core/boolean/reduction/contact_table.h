@@ -65,8 +65,8 @@ void find_places(Workspace& w, ContactId first, Contacts& found);
 /// Finds the segments between the contacts of each pair.
 void find_segments(const Workspace& w, const ContactTable& table, Contacts& found);
 /// Divides the segments of very many edges on one line at each other's ends: of the records along
-/// each stretch, those are left that show an edge first, or none if they make a row.
-void divide_rows(const Workspace& w, RowsOf rows, Contacts& found);
+/// each stretch, those are left that show an edge first.
+void divide_rows(const Workspace& w, Contacts& found);
 /// Divides the segments at all places within them; if there are clusters, at those of their own.
 void split_at_places(const Workspace& w, const Clusters& clusters, Contacts& found);
 /// Adds places where edges of one operand cross each other in a face of the other. Returns whether

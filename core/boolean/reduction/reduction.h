@@ -42,42 +42,17 @@ struct SegmentRecord {
   }
 };
 
-/// Very many edges of both solids along one line on which nothing else of them runs. They are in no
-/// segment: a sweep along the line finds where each has to be divided.
-struct Row {
-  /// Where an edge runs beside edges of the other solid.
-  struct Run {
-    Operand operand;
-    EdgeId edge;
-    std::uint32_t from, to;  ///< places of the row
-    Entity end[2];           ///< of the solid's closure there
-  };
-  /// A place between the ends of a run in which something of the other solid meets its edge.
-  struct Meeting {
-    std::uint32_t place, run;
-  };
-  std::vector<PlaceId> places;  ///< as they follow each other along the line
-  std::vector<Run> runs;        ///< by operand and edge, then along the line
-  std::vector<Meeting> meetings;
-};
-
 /// Where the two boundaries meet.
 struct Contacts {
   Table<ContactId, Contact> contacts;   ///< as pairs of faces find them, crossings last
   Table<PlaceId, PointId> places;       ///< the point of each place
   std::vector<SegmentRecord> segments;  ///< of what shares one, all pairs, or enough of very many
-  std::vector<Row> rows;
-  bool has_unswept_rows = false;  ///< were RowsOf::lines asked for, and are some no rows?
 
   PointId point(PlaceId place) const { return places[place]; }
 };
 
-/// Of what along one line rows are made: of edges that hang together as one meets the other, or,
-/// for a solid that is tested against itself, of all.
-enum class RowsOf : std::uint8_t { edges_that_meet, lines };
-
 /// The contacts of pairs of loaded faces that may meet. Vertices of the patches that are at one
 /// place share one point afterwards.
-Contacts reduce(Workspace& w, const FacePairs& candidates, RowsOf rows = RowsOf::edges_that_meet);
+Contacts reduce(Workspace& w, const FacePairs& candidates);
 
 }  // namespace sectile

@@ -1,16 +1,14 @@
 // Edges of both operands that lie on each other along one line, as where two books have one spine.
 // Each of n beside each of n others makes n² records; if all end elsewhere, each record would be
 // divided at n places. But a segment is what its carriers are, of which there are 2n at most: of
-// the records along it those suffice that show a carrier first, and so n² are left of n³. Where a
-// sweep along the line may do instead (swept_rows.h), there are no records.
+// the records along it those suffice that show a carrier first, and so n² are left of n³.
 #include <algorithm>
 #include <numeric>
 #include <span>
 #include <tuple>
 
+#include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
-#include "boolean/reduction/edges_on_lines.h"
-#include "boolean/reduction/swept_rows.h"
 #include "numbers/disjoint_sets.h"
 #include "search/free_stretches.h"
 
@@ -24,7 +22,12 @@ constexpr std::size_t many = 256;
 class RowOfEdges {
  public:
   RowOfEdges(const Workspace& w, const Contacts& found, std::span<const SegmentRecord> records)
-      : records_(records), places_(w, found, edge_of_a(records), ends_of(records)) {}
+      : records_(records) {
+    for (const SegmentRecord& r : records) places_.insert(places_.end(), {r.place[0], r.place[1]});
+    std::sort(places_.begin(), places_.end());
+    places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+    put_in_order(w, found);
+  }
 
   // Each record divided at all places, but for pieces that show nothing new.
   void add_pieces(std::vector<SegmentRecord>& out) {
@@ -41,6 +44,28 @@ class RowOfEdges {
     friend auto operator<=>(const Shown&, const Shown&) = default;
   };
 
+  void put_in_order(const Workspace& w, const Contacts& found) {
+    const Entity edge = records_[0].on[Operand::a];
+    const auto [a, b] = line_planes(w.patch[Operand::a], Brep::half_edge(edge.edge()));
+    const int axis = w.tests().cross_axis(a, b);
+    std::vector<std::uint32_t> order(places_.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return i != j && w.tests().compare(found.point(places_[i]), found.point(places_[j]), axis) ==
+                           Sign::positive;
+    });
+    at_.resize(order.size());
+    for (std::uint32_t k = 0; k < order.size(); ++k) {
+      along_.push_back(places_[order[k]]);
+      at_[order[k]] = k;
+    }
+  }
+
+  std::uint32_t number(PlaceId place) const {
+    return at_[static_cast<std::size_t>(std::lower_bound(places_.begin(), places_.end(), place) -
+                                        places_.begin())];
+  }
+
   // Of each edge of an operand, the first record along each stretch.
   void show_each(Operand s) {
     std::vector<std::uint32_t> order(records_.size());
@@ -52,8 +77,8 @@ class RowOfEdges {
     for (std::size_t i = 0; i < order.size(); ++i) {
       if (i > 0 && edge(order[i]) != edge(order[i - 1])) free.free_all();
       const std::uint32_t record = order[i];
-      const auto [low, high] = std::minmax(
-          {places_.number(records_[record].place[0]), places_.number(records_[record].place[1])});
+      const auto [low, high] =
+          std::minmax({number(records_[record].place[0]), number(records_[record].place[1])});
       free.take(low, high, [&](std::uint32_t k) { shown_.push_back({k, record}); });
     }
   }
@@ -61,7 +86,7 @@ class RowOfEdges {
   // Within a record its edges pass through the places.
   SegmentRecord piece(const SegmentRecord& whole, std::uint32_t stretch) const {
     SegmentRecord piece = whole;
-    std::tie(piece.place[0], piece.place[1]) = std::minmax(places_[stretch], places_[stretch + 1]);
+    std::tie(piece.place[0], piece.place[1]) = std::minmax(along_[stretch], along_[stretch + 1]);
     for (int k = 0; k < 2; ++k)
       for (const Operand s : both_operands) {
         piece.end[s][k] = whole.on[s];
@@ -72,7 +97,9 @@ class RowOfEdges {
   }
 
   std::span<const SegmentRecord> records_;
-  PlacesAlong places_;
+  std::vector<PlaceId> places_;    // ascending
+  std::vector<std::uint32_t> at_;  // per place: its number along the line
+  std::vector<PlaceId> along_;     // in their order along the line
   std::vector<Shown> shown_;
 };
 
@@ -81,13 +108,11 @@ bool is_of_edges(const SegmentRecord& r) {
 }
 
 // Edges that share a segment are on one line. The records come by lines.
-std::vector<std::uint32_t> sort_by_line(const Workspace& w, RowsOf rows,
-                                        std::vector<SegmentRecord>& records) {
+std::vector<std::uint32_t> sort_by_line(const Workspace& w, std::vector<SegmentRecord>& records) {
   const auto first_of_b = static_cast<std::uint32_t>(w.patch[Operand::a].brep.edge_count());
   DisjointSets lines(first_of_b + w.patch[Operand::b].brep.edge_count());
   for (const SegmentRecord& r : records)
     lines.unite(r.on[Operand::a].index(), first_of_b + r.on[Operand::b].index());
-  if (rows == RowsOf::lines) unite_on_lines(w, records, lines);
   const auto line = [&](const SegmentRecord& r) { return lines.first(r.on[Operand::a].index()); };
   std::stable_sort(records.begin(), records.end(),
                    [&](const SegmentRecord& p, const SegmentRecord& q) {
@@ -101,53 +126,24 @@ std::vector<std::uint32_t> sort_by_line(const Workspace& w, RowsOf rows,
   return starts;
 }
 
-class RowDivider {
- public:
-  RowDivider(const Workspace& w, RowsOf rows, Contacts& found)
-      : w_(w), rows_(rows), found_(found), swept_(w, found) {}
-
-  void operator()(std::span<const SegmentRecord> records) {
-    if (is_to_be_swept(records)) {
-      if (swept_.add(records)) return;
-      found_.has_unswept_rows |= rows_ == RowsOf::lines;
-    }
-    std::vector<SegmentRecord>& all = found_.segments;
-    if (records.size() < many) {
-      all.insert(all.end(), records.begin(), records.end());
-    } else {
-      RowOfEdges(w_, found_, records).add_pieces(all);
-    }
-  }
-
- private:
-  // A solid that is tested against itself meets itself along each edge.
-  bool is_to_be_swept(std::span<const SegmentRecord> records) const {
-    if (!SweptRows::may_be_swept(w_)) return false;
-    if (rows_ == RowsOf::edges_that_meet) return records.size() >= SweptRows::least;
-    return records.front().on[Operand::a] != records.back().on[Operand::a];
-  }
-
-  const Workspace& w_;
-  const RowsOf rows_;
-  Contacts& found_;
-  SweptRows swept_;
-};
-
 }  // namespace
 
-void divide_rows(const Workspace& w, RowsOf rows, Contacts& found) {
+void divide_rows(const Workspace& w, Contacts& found) {
   std::vector<SegmentRecord>& all = found.segments;
-  const std::size_t few = !SweptRows::may_be_swept(w) ? many
-                          : rows == RowsOf::lines     ? 1
-                                                      : SweptRows::least;
-  if (static_cast<std::size_t>(std::count_if(all.begin(), all.end(), is_of_edges)) < few) return;
+  if (static_cast<std::size_t>(std::count_if(all.begin(), all.end(), is_of_edges)) < many) return;
   const auto others = std::stable_partition(all.begin(), all.end(), is_of_edges);
   std::vector<SegmentRecord> of_edges(all.begin(), others);
   all.erase(all.begin(), others);
-  const std::vector<std::uint32_t> starts = sort_by_line(w, rows, of_edges);
-  RowDivider divide(w, rows, found);
-  for (std::size_t i = 0; i + 1 < starts.size(); ++i)
-    divide(std::span(of_edges).subspan(starts[i], starts[i + 1] - starts[i]));
+  const std::vector<std::uint32_t> starts = sort_by_line(w, of_edges);
+  for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
+    const std::span<const SegmentRecord> records =
+        std::span(of_edges).subspan(starts[i], starts[i + 1] - starts[i]);
+    if (records.size() < many) {
+      all.insert(all.end(), records.begin(), records.end());
+    } else {
+      RowOfEdges(w, found, records).add_pieces(all);
+    }
+  }
 }
 
 }  // namespace sectile

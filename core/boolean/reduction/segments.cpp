@@ -308,11 +308,11 @@ void find_segments(const Workspace& w, const ContactTable& table, Contacts& foun
   }
 }
 
-Contacts reduce(Workspace& w, const FacePairs& candidates, RowsOf rows) {
+Contacts reduce(Workspace& w, const FacePairs& candidates) {
   Contacts found;
   const ContactTable table = find_contacts(w, candidates, found);
   find_segments(w, table, found);
-  divide_rows(w, rows, found);
+  divide_rows(w, found);
   const Clusters clusters(w, candidates);
   split_at_places(w, clusters, found);
   if (add_crossings(w, found)) split_at_places(w, clusters, found);

@@ -77,22 +77,6 @@ TEST(CrowdedLines, PagesAllAroundAreOneCluster) {
   const Reduced found(book(0, 0.7, 0), book(0.5, 0.7, 0.5), {unite});
   EXPECT_TRUE(found.leaves_out());
   EXPECT_EQ(found.clusters.size(), 1u);
-  // Along the line they are a row, which no end of a page divides yet.
-  ASSERT_EQ(found.contacts.rows.size(), 1u);
-  EXPECT_EQ(found.contacts.rows[0].runs.size(), 2u * pages);
-  EXPECT_LT(found.contacts.segments.size(), 30u * pages);
-}
-
-// Each end of a page is one of a piece of itself, of two neighbours, and of what they are paired
-// with.
-TEST(CrowdedLines, PagesAllAroundAreDividedAtFewEndsOfOthers) {
-  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract}) {
-    const Operation wanted[] = {operation};
-    Reduced found(book(0, 0.7, 0), book(0.5, 0.7, 0.5), {wanted});
-    const std::size_t segments = found.contacts.segments.size();
-    const CutBoundaries cut = cut_at(found.w, std::move(found.contacts), {wanted});
-    EXPECT_LT(cut.neighborhoods.segments.size(), segments + 15u * pages);
-  }
 }
 
 TEST(CrowdedLines, NothingIsLeftOutWhereAllIsAskedFor) {
