@@ -1,8 +1,10 @@
 // The four- and eight-way boundary classification as results in their own right (paper, section 4).
-#include <cmath>
+#include <span>
+#include <vector>
 
 #include "boolean/boolean.h"
 #include "boolean/components/components.h"
+#include "import/measure.h"
 
 namespace sectile {
 namespace {
@@ -19,7 +21,6 @@ class PartBuilder {
   void add(FaceId f) {
     SurfacePart::Face& face = part_.faces.emplace_back();
     face.source = brep_.source[f];
-    double normal[3] = {0, 0, 0};
     for (LoopId l = brep_.outer_loop[f]; l.valid(); l = brep_.next_loop[l]) {
       if (!brep_.loop_half_edge[l].valid()) continue;
       auto& loop = face.loops.emplace_back();
@@ -27,9 +28,7 @@ class PartBuilder {
         const PointId p = brep_.point_of(brep_.from(h));
         if (p != brep_.point_of(brep_.to(h))) loop.push_back(vertex(p));
       });
-      add_area(loop, normal);
     }
-    part_.area += 0.5 * std::hypot(normal[0], normal[1], normal[2]);
   }
 
  private:
@@ -44,36 +43,35 @@ class PartBuilder {
     return n;
   }
 
-  void add_area(const std::vector<std::uint32_t>& loop, double (&normal)[3]) const {
-    const Vec3& o = part_.positions[loop[0]];
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-      const Vec3 &p = part_.positions[loop[i]], &q = part_.positions[loop[i + 1]];
-      const double u[3] = {p.x - o.x, p.y - o.y, p.z - o.z};
-      const double v[3] = {q.x - o.x, q.y - o.y, q.z - o.z};
-      for (int k = 0; k < 3; ++k)
-        normal[k] += u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
-    }
-  }
-
   const Brep& brep_;
   const Geometry& geometry_;
   SurfacePart& part_;
   std::vector<std::uint32_t> number_;
 };
 
+SurfacePart part_of(std::span<const SomeFaces> groups) {
+  SurfacePart part;
+  for (const SomeFaces& group : groups) {
+    PartBuilder builder(group.brep, group.geometry, part);
+    for (const FaceId f : group.faces) builder.add(f);
+  }
+  part.area = area_of(groups);
+  return part;
+}
+
 SurfacePart collect_part(const Workspace& w, const FaceLabels& labels, Operand s,
                          std::uint8_t label) {
-  SurfacePart part;
   const Patch& patch = w.patch[s];
-  PartBuilder loaded(patch.brep, w.geometry, part);
+  std::vector<SomeFaces> groups{{patch.brep, w.geometry, {}}};
   for (const FaceId f : labels.loaded[s].ids())
-    if (labels.loaded[s][f] == label) loaded.add(f);
-  if (labels.rest[s].empty()) return part;
+    if (labels.loaded[s][f] == label) groups[0].faces.push_back(f);
+  if (labels.rest[s].empty()) return part_of(groups);
   // The operands are loaded from one block.
-  PartBuilder rest(patch.solid->brep(), patch.solid->geometry(), part);
-  for (std::size_t f = 0; f < patch.solid->brep().face_count(); ++f)
-    if (labels.rest[s].label(0, FaceId(f)) == label) rest.add(FaceId(f));
-  return part;
+  SomeFaces& rest =
+      groups.emplace_back(SomeFaces{patch.solid->brep(), patch.solid->geometry(), {}});
+  for (const FaceId f : rest.brep.faces())
+    if (labels.rest[s].label(0, f) == label) rest.faces.push_back(f);
+  return part_of(groups);
 }
 
 std::uint8_t label(Class c) {
@@ -82,11 +80,11 @@ std::uint8_t label(Class c) {
 
 // All of a solid's boundary as one part, for when the other solid is empty.
 SurfacePart whole_boundary(const Solid& solid) {
-  SurfacePart part;
-  if (solid.is_empty()) return part;
-  PartBuilder builder(solid.data()->brep(), solid.data()->geometry(), part);
-  for (std::size_t f = 0; f < solid.data()->brep().face_count(); ++f) builder.add(FaceId(f));
-  return part;
+  if (solid.is_empty()) return {};
+  const auto faces = solid.data()->brep().faces();
+  const SomeFaces all[] = {
+      {solid.data()->brep(), solid.data()->geometry(), {faces.begin(), faces.end()}}};
+  return part_of(all);
 }
 
 }  // namespace

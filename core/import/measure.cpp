@@ -65,4 +65,14 @@ double area_of(const SolidData& solid) {
   return known ? *known : exact_area(solid);
 }
 
+double area_of(std::span<const SomeFaces> parts) {
+  Bounded two_areas;
+  for (const SomeFaces& part : parts)
+    two_areas = two_areas + two_areas_of_faces(part.brep, part.geometry, part.faces);
+  if (std::ranges::all_of(parts, [](const SomeFaces& part) { return part.faces.empty(); }))
+    return 0;
+  const auto known = certain(two_areas, 2);
+  return known ? *known : exact_area(parts);
+}
+
 }  // namespace sectile

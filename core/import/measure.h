@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "numbers/bounded.h"
@@ -22,8 +23,18 @@ Bounded two_areas_of(const SolidData& solid);
 double volume_of(const SolidData& solid);
 double area_of(const SolidData& solid);
 
+/// Some of the faces of a boundary.
+struct SomeFaces {
+  const Brep& brep;
+  const Geometry& geometry;
+  std::vector<FaceId> faces;
+};
+/// Of all of them; zero if there are none.
+double area_of(std::span<const SomeFaces> parts);
+
 double exact_volume(const SolidData& solid);
 double exact_area(const SolidData& solid);
+double exact_area(std::span<const SomeFaces> parts);
 
 /// The sum of part(from, to) over ranges of faces. The ranges do not depend on the number of
 /// threads, nor does the order of the sum.

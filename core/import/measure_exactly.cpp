@@ -66,12 +66,11 @@ std::optional<double> certain(const Dyadic& numerator, const Dyadic& error, doub
   return nearest_quotient(numerator, d);
 }
 
-// With ever more bits until attempt(kernel, bits) knows.
+// With ever more bits until attempt(bits) knows.
 template <class Attempt>
-double with_enough_bits(const SolidData& solid, const Attempt& attempt) {
-  const Kernel kernel(solid.geometry());
+double with_enough_bits(const Attempt& attempt) {
   for (int bits = 128;; bits *= 2)
-    if (const std::optional<double> known = attempt(kernel, bits)) return *known;
+    if (const std::optional<double> known = attempt(bits)) return *known;
 }
 
 }  // namespace
@@ -81,7 +80,8 @@ double with_enough_bits(const SolidData& solid, const Attempt& attempt) {
 // Z.
 double exact_volume(const SolidData& solid) {
   const Brep& brep = solid.brep();
-  return with_enough_bits(solid, [&](const Kernel& kernel, int bits) {
+  const Kernel kernel(solid.geometry());
+  return with_enough_bits([&](int bits) {
     const Corners corners(solid.geometry(), kernel, bits);
     Extent extent;
     for (const PointId p : brep.point) extent.add(corners(p));
@@ -135,25 +135,41 @@ std::optional<Dyadic> two_areas(const Brep& brep, FaceId f, const Corners& corne
   return square_root(square);
 }
 
+// Twice the area of some faces, if their corners are known well enough.
+std::optional<Dyadic> two_areas(const SomeFaces& part, int bits) {
+  const Kernel kernel(part.geometry);
+  const Corners corners(part.geometry, kernel, bits);
+  const bool exact = part.geometry.constructions.empty();
+  std::vector<std::uint8_t> open(part.faces.size(), 0);
+  Dyadic sum = sum_over_faces<Dyadic>(part.faces.size(), [&](std::size_t from, std::size_t to) {
+    Dyadic sum_of_range;
+    for (std::size_t i = from; i < to; ++i) {
+      const auto area = two_areas(part.brep, part.faces[i], corners, exact, bits);
+      if (area) sum_of_range += *area;
+      open[i] = !area;
+    }
+    return sum_of_range;
+  });
+  if (std::ranges::find(open, 1) != open.end()) return std::nullopt;
+  return sum;
+}
+
 }  // namespace
 
 double exact_area(const SolidData& solid) {
-  const Brep& brep = solid.brep();
-  const bool exact = solid.geometry().constructions.empty();
-  return with_enough_bits(solid, [&](const Kernel& kernel, int bits) -> std::optional<double> {
-    const Corners corners(solid.geometry(), kernel, bits);
-    std::vector<std::uint8_t> open(brep.face_count(), 0);
-    const Dyadic sum =
-        sum_over_faces<Dyadic>(brep.face_count(), [&](std::size_t from, std::size_t to) {
-          Dyadic part;
-          for (std::size_t f = from; f < to; ++f) {
-            const auto area = two_areas(brep, FaceId(f), corners, exact, bits);
-            if (area) part += *area;
-            open[f] = !area;
-          }
-          return part;
-        });
-    if (std::find(open.begin(), open.end(), 1) != open.end()) return std::nullopt;
+  const auto faces = solid.brep().faces();
+  const SomeFaces all[] = {{solid.brep(), solid.geometry(), {faces.begin(), faces.end()}}};
+  return exact_area(all);
+}
+
+double exact_area(std::span<const SomeFaces> parts) {
+  return with_enough_bits([&](int bits) -> std::optional<double> {
+    Dyadic sum;
+    for (const SomeFaces& part : parts) {
+      const auto area = two_areas(part, bits);
+      if (!area) return std::nullopt;
+      sum += *area;
+    }
     return certain(sum, sum.scaled(-59), 2);
   });
 }

@@ -15,14 +15,26 @@ using rounding::unit;
 
 using Corner = std::array<Bounded, 3>;
 
-// The coordinates of points as far as pairs of doubles know them.
+// The coordinates of a point as far as pairs of doubles know them.
+Corner corner(const Geometry& geometry, PointId p) {
+  if (!geometry.is_constructed(p)) {
+    PointOf<Bounded> given = given_point<Bounded>(geometry, p);
+    return {given.x[0], given.x[1], given.x[2]};
+  }
+  const auto plane = [&](PlaneId s) { return plane_of<Bounded>(geometry, s); };
+  const PointOf<Bounded> made =
+      constructed_point<Bounded>(geometry, geometry.construction(p), plane);
+  return {quotient(made.x[0], made.w), quotient(made.x[1], made.w), quotient(made.x[2], made.w)};
+}
+
+// Of all points, each computed once.
 class Corners {
  public:
   explicit Corners(const Geometry& geometry) : geometry_(geometry) {
     if (geometry.constructions.empty() && geometry.moved.empty()) return;
     corners_.resize(geometry.positions.size());
     for (std::size_t i = 0; i < corners_.size(); ++i)
-      if (const PointId p(i); !geometry.is_explicit(p)) corners_[i] = corner(p);
+      if (const PointId p(i); !geometry.is_explicit(p)) corners_[i] = corner(geometry, p);
   }
 
   bool all_explicit(PointId a, PointId b, PointId c) const {
@@ -38,17 +50,6 @@ class Corners {
   }
 
  private:
-  Corner corner(PointId p) const {
-    if (!geometry_.is_constructed(p)) {
-      PointOf<Bounded> given = given_point<Bounded>(geometry_, p);
-      return {given.x[0], given.x[1], given.x[2]};
-    }
-    const auto plane = [&](PlaneId s) { return plane_of<Bounded>(geometry_, s); };
-    const PointOf<Bounded> made =
-        constructed_point<Bounded>(geometry_, geometry_.construction(p), plane);
-    return {quotient(made.x[0], made.w), quotient(made.x[1], made.w), quotient(made.x[2], made.w)};
-  }
-
   const Geometry& geometry_;
   std::vector<Corner> corners_;  // empty if all points are explicit
 };
@@ -189,7 +190,8 @@ class Triangles {
 };
 
 // Twice the area of any face.
-Bounded area_of_face(const Brep& brep, FaceId f, const Corners& corners) {
+template <class CornerOf>
+Bounded area_of_face(const Brep& brep, FaceId f, const CornerOf& corners) {
   Bounded n[3];
   for_each_fan(brep, f, [&](PointId a, PointId b, PointId c) {
     const Corner p = corners(a), q = corners(b), r = corners(c);
@@ -253,6 +255,14 @@ BlockVolume volume_of_faces(const Brep& brep, const Geometry& geometry) {
 
 Bounded two_areas_of_faces(const Brep& brep, const Geometry& geometry) {
   return is_fused() ? fused_two_areas(brep, geometry) : two_areas(brep, geometry);
+}
+
+Bounded two_areas_of_faces(const Brep& brep, const Geometry& geometry,
+                           std::span<const FaceId> faces) {
+  Bounded sum;
+  for (const FaceId f : faces)
+    sum = sum + area_of_face(brep, f, [&](PointId p) { return corner(geometry, p); });
+  return sum;
 }
 
 }  // namespace sectile

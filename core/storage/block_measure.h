@@ -2,6 +2,8 @@
 // bound of their error.
 #pragma once
 
+#include <span>
+
 #include "geometry/geometry.h"
 #include "numbers/bounded.h"
 #include "topology/brep.h"
@@ -19,5 +21,8 @@ struct BlockVolume {
 BlockVolume volume_of_faces(const Brep& brep, const Geometry& geometry);
 /// Twice their area.
 Bounded two_areas_of_faces(const Brep& brep, const Geometry& geometry);
+/// Twice the area of some of them.
+Bounded two_areas_of_faces(const Brep& brep, const Geometry& geometry,
+                           std::span<const FaceId> faces);
 
 }  // namespace sectile

@@ -12,6 +12,7 @@ void for_each_fan(const Brep& brep, FaceId f, const Visit& visit) {
   const auto at = [&](HalfEdgeId h) { return brep.point_of(brep.from(h)); };
   for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l]) {
     const HalfEdgeId first = brep.loop_half_edge[l];
+    if (!first.valid()) continue;  // a lone vertex
     for (HalfEdgeId h = brep.next_of(first), next; (next = brep.next_of(h)) != first; h = next)
       visit(at(first), at(h), at(next));
   }

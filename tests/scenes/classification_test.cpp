@@ -7,6 +7,7 @@
 
 #include "samples/samples.h"
 #include "scenes/expectations.h"
+#include "sectile/sectile.h"
 
 namespace sectile {
 namespace {
@@ -44,6 +45,24 @@ TEST(EightWay, Figure12) {
   EXPECT_NEAR(parts.b_on_a_plus.area, 1, tolerance);
   EXPECT_NEAR(parts.b_on_a_minus.area, 6, tolerance);
   EXPECT_NEAR(parts.b_out_a.area, 46 - 14, tolerance);
+}
+
+// Turned, so that no corner is three doubles, and far away beside its size: rounded coordinates
+// would leave three digits of an area.
+TEST(EightWay, OfSmallSolidsFarAway) {
+  const double size = 0x1p-30, far = 1000;
+  const Transform place = Transform::rotation_degrees({1, 2, 3}, 40) *
+                          Transform::translation({far, far, far}) *
+                          Transform::scaling({size, size, size});
+  const Solid a = transformed(block({0, 0, 0}, {3, 3, 3}), place),
+              b = transformed(block({1, 2, 2}, {2, 4, 4}), place);
+  const EightWay parts = classify(a, b);
+  const double face = a.area() / 6 / 9;  // of a unit cube
+  for (const auto& [area, faces] : {std::pair{parts.a_out_b.area, 52},
+                                    {parts.a_in_b.area, 2},
+                                    {parts.b_in_a.area, 4},
+                                    {parts.b_out_a.area, 12}})
+    EXPECT_NEAR(area / face, faces, 1e-14 * faces);
 }
 
 class ClassificationTest : public testing::TestWithParam<const Figure*> {

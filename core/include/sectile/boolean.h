@@ -46,7 +46,9 @@ Section section(const Solid& solid, const HalfSpace& half_space);
 /// The observer is told of no events.
 Section section(const Solid& solid, const HalfSpace& half_space, const BooleanOptions& options);
 
-/// A part of a boundary: polygons with holes, as loops. Not closed in general.
+/// A part of a boundary: polygons with holes, as loops. Not closed in general. The coordinates are
+/// rounded to the nearest doubles; the area is that of the exact faces, to two units in the last
+/// place.
 struct SurfacePart {
   std::vector<Vec3> positions;
   struct Face {
