@@ -6,6 +6,7 @@
 #include "geometry/kernel.h"
 #include "parallel/parallel.h"
 #include "parallel/sort.h"
+#include "search/edges_by_line.h"
 #include "sectile/errors.h"
 #include "storage/geometry_loader.h"
 
@@ -43,6 +44,24 @@ class Faces {
   }
   std::size_t size() const { return face_end_.size(); }
 
+  /// Leaves out corners within straight edges: the other solid may have them elsewhere.
+  void leave_out_straight_corners(const Kernel& kernel) {
+    std::vector<std::uint8_t> is_straight(corners_.size());
+    parallel::loop(0, loop_end_.size(), [&](std::size_t l) {
+      const std::size_t begin = loop_begin(l), end = loop_end_[l];
+      for (std::size_t c = begin; c < end; ++c)
+        is_straight[c] = is_within_edge(kernel, corners_[c], corners_[c == begin ? end - 1 : c - 1],
+                                        corners_[c + 1 == end ? begin : c + 1]);
+    });
+    std::size_t kept = 0;
+    for (std::size_t l = 0, c = 0; l < loop_end_.size(); ++l) {
+      for (; c < loop_end_[l]; ++c)
+        if (!is_straight[c]) corners_[kept++] = corners_[c];
+      loop_end_[l] = kept;
+    }
+    corners_.resize(kept);
+  }
+
   /// Per face: its loops, each from its least point on, ascending; with `number` of each point.
   std::vector<std::vector<std::uint32_t>> in_order(const std::vector<std::uint32_t>& number) const {
     std::vector<std::vector<std::uint32_t>> faces(size());
@@ -50,7 +69,7 @@ class Faces {
       std::vector<std::vector<std::uint32_t>> loops;
       for (std::size_t l = f == 0 ? 0 : face_end_[f - 1]; l < face_end_[f]; ++l) {
         std::vector<std::uint32_t> loop;
-        for (std::size_t c = l == 0 ? 0 : loop_end_[l - 1]; c < loop_end_[l]; ++c)
+        for (std::size_t c = loop_begin(l); c < loop_end_[l]; ++c)
           loop.push_back(number[corners_[c].value()]);
         rotate_to_least(loop);
         loops.push_back(std::move(loop));
@@ -66,6 +85,8 @@ class Faces {
   }
 
  private:
+  std::size_t loop_begin(std::size_t l) const { return l == 0 ? 0 : loop_end_[l - 1]; }
+
   void load(const Placed& placed, Geometry& geometry) {
     const Brep& brep = placed.block->brep();
     GeometryLoader loader(placed.block->geometry(), geometry, brep.vertex_count());
@@ -100,8 +121,7 @@ class Faces {
 };
 
 // Per point: the same number for all at one place.
-std::vector<std::uint32_t> numbers_of_places(const Geometry& geometry) {
-  const Kernel kernel(geometry);
+std::vector<std::uint32_t> numbers_of_places(const Geometry& geometry, const Kernel& kernel) {
   std::vector<PointId> order;
   for (std::size_t p = 0; p < geometry.positions.size(); ++p) order.push_back(PointId(p));
   parallel::sort(order.begin(), order.end(), [&](PointId p, PointId q) {
@@ -135,11 +155,19 @@ bool have_same_faces(const SolidData& a, const SolidData& b, const std::atomic<b
   rest_of_b.load(without(of_b, of_a), geometry);
   if (rest_of_a.size() != rest_of_b.size()) return false;
   check();
-  const std::vector<std::uint32_t> number = numbers_of_places(geometry);
+  const Kernel kernel(geometry);
+  const std::vector<std::uint32_t> number = numbers_of_places(geometry, kernel);
+  const auto are_the_same = [&] {
+    check();
+    const auto first = rest_of_a.in_order(number);
+    check();
+    return first == rest_of_b.in_order(number);
+  };
+  if (are_the_same()) return true;
   check();
-  const auto first = rest_of_a.in_order(number);
-  check();
-  return first == rest_of_b.in_order(number);
+  rest_of_a.leave_out_straight_corners(kernel);
+  rest_of_b.leave_out_straight_corners(kernel);
+  return are_the_same();
 }
 
 }  // namespace sectile

@@ -73,6 +73,39 @@ TEST(Equality, WhereFacesAreDividedInDifferentWays) {
   EXPECT_EQ(Solid::from_mesh(divided), halves);
 }
 
+// A block whose edge along x has corners at these places.
+Solid block_with_corners(const std::vector<double>& places) {
+  PolygonMesh mesh{
+      {{0, 0, 0}, {0, 3, 0}, {3, 3, 0}, {3, 0, 0}, {0, 0, 1}, {0, 3, 1}, {3, 3, 1}, {3, 0, 1}},
+      {4, 4, 4, 4},
+      {4, 7, 6, 5, 0, 4, 5, 1, 1, 5, 6, 2, 2, 6, 7, 3}};
+  const auto add_face = [&](std::vector<std::uint32_t> corners) {
+    mesh.face_sizes.push_back(static_cast<std::uint32_t>(corners.size()));
+    mesh.indices.insert(mesh.indices.end(), corners.begin(), corners.end());
+  };
+  std::vector<std::uint32_t> bottom{0, 1, 2, 3}, front{7, 4, 0, 3};
+  for (const double x : places) {
+    const auto corner = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.push_back({x, 0, 0});
+    front.insert(front.end() - 1, corner);
+    bottom.insert(bottom.begin() + 4, corner);
+  }
+  add_face(bottom);
+  add_face(front);
+  return Solid::from_mesh(mesh);
+}
+
+TEST(Equality, WhereEdgesAreDividedInDifferentWays) {
+  const Solid divided = block_with_corners({1}), otherwise = block_with_corners({0.5, 2});
+  const Solid whole = block_with_corners({});
+  EXPECT_NE(divided.counts().vertices, otherwise.counts().vertices);
+  for (const Solid* solid : {&divided, &otherwise, &whole}) {
+    EXPECT_TRUE(same_faces(*solid, whole));
+    EXPECT_TRUE(same_faces(whole, *solid));
+    EXPECT_TRUE(same_faces(*solid, divided));
+  }
+}
+
 TEST(Equality, OfImages) {
   const Transform turn = Transform::rotation_degrees({1, 2, 3}, 40);
   const Solid a = ball({0, 0, 0}), b = ball({0.7, 0.1, 0.2});
