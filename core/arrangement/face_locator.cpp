@@ -1,5 +1,7 @@
 #include "arrangement/face_locator.h"
 
+#include "numbers/threshold.h"
+
 namespace sectile::arrangement {
 namespace {
 
@@ -24,7 +26,7 @@ struct RoundedCorners {
 FaceLocator::FaceLocator(const Facets& facets, const EdgeLines& lines,
                          const std::vector<std::uint8_t>& wanted, const Kernel& kernel)
     : facets_(facets), lines_(lines), kernel_(kernel), outlines_(facets.face_count()) {
-  constexpr std::uint32_t many = 32;
+  constexpr std::uint32_t many = threshold(32, 1);
   RoundedCorners rounded;
   for (std::size_t f = 0; f < facets.face_count(); ++f) {
     if (!wanted[f] || facets.size(f) < many) continue;

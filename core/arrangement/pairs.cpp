@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "boolean/collect.h"
+#include "numbers/threshold.h"
 #include "parallel/parallel.h"
 #include "parallel/sort.h"
 #include "search/needles.h"
@@ -14,7 +15,7 @@ namespace sectile::arrangement {
 namespace {
 
 // Faces with more corners are not looked through for each partner.
-constexpr std::uint32_t many = 16;
+constexpr std::uint32_t many = threshold(16, 1);
 
 class PairTest {
  public:

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "arrangement/rows_of_traces.h"
+#include "numbers/threshold.h"
 #include "search/edge_box.h"
 #include "search/piece_tree.h"
 
@@ -90,7 +91,7 @@ void PlanePieces::test(const Kernel& kernel, const EdgeLines& lines, std::uint32
 void PlanePieces::find_crossings(const Kernel& kernel, const EdgeLines& lines) {
   const Geometry& g = kernel.geometry();
   const auto count = static_cast<std::uint32_t>(pieces_.size());
-  constexpr std::uint32_t few = 24;
+  constexpr std::uint32_t few = threshold(24, 1);
   if (count <= few) {
     std::array<Box, few> boxes;
     for (std::uint32_t i = 0; i < count; ++i)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "numbers/threshold.h"
 #include "search/edges_by_line.h"
 #include "search/free_stretches.h"
 #include "search/places_on_line.h"
@@ -10,7 +11,7 @@ namespace sectile::arrangement {
 namespace {
 
 // Fewer are not worth looking at.
-constexpr std::size_t many = 24;
+constexpr std::size_t many = threshold(24, 1);
 
 std::vector<PointId> ends_of(const std::vector<Piece>& traces) {
   std::vector<PointId> ends;

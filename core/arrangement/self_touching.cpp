@@ -1,5 +1,6 @@
 #include "arrangement/self_touching.h"
 
+#include "numbers/threshold.h"
 #include "parallel/parallel.h"
 #include "search/piece_tree.h"
 
@@ -16,7 +17,7 @@ class TouchTest {
 
   bool touches() const {
     const std::uint32_t first = facets_.begin(face_), end = facets_.end(face_);
-    constexpr std::uint32_t few = 16;
+    constexpr std::uint32_t few = threshold(16, 1);
     if (end - first > few) return touches_in_boxes();
     for (std::uint32_t c = first; c < end; ++c)
       for (std::uint32_t d = first; d < end; ++d)

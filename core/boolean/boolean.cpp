@@ -8,6 +8,7 @@
 #include "boolean/cleanup/cleanup.h"
 #include "boolean/complement.h"
 #include "boolean/components/components.h"
+#include "boolean/components/free_point.h"
 #include "boolean/gluing/gluing.h"
 #include "boolean/report/report.h"
 #include "boolean/same_faces.h"
@@ -163,17 +164,35 @@ Solid boolean(const Solid& a, const Solid& b, Operation operation, const Boolean
   return *std::move(known);
 }
 
+namespace {
+
+Solid cut_and_assembled(const SolidData& a, const SolidData& b, bool turned_pairs,
+                        Operation operation, const BooleanOptions& options) {
+  const Operation wanted[] = {operation};
+  const auto attempt = [&](bool all_pairs) {
+    Workspace w(options);
+    FacePairs pairs;
+    load(w, a, b, pairs, {wanted, false, turned_pairs, all_pairs});
+    try {
+      return std::optional(assemble(w, cut(w, pairs, {wanted}), operation, 0));
+    } catch (const NoFreePoint&) {
+      if (w.crowded_lines.empty()) throw;
+      return std::optional<Solid>();
+    }
+  };
+  std::optional<Solid> result = attempt(false);
+  return result ? *std::move(result) : *attempt(true);
+}
+
+}  // namespace
+
 Solid boolean_by_cutting(const Solid& a, const Solid& b, Operation operation,
                          const BooleanOptions& options) {
   try {
-    Workspace w(options);
-    FacePairs pairs;
-    const Operation wanted[] = {operation};
-    const SolidData& of_b = operation == Operation::subtract
-                                ? as_observed(reversible(operand(b, options)), options)
-                                : operand(b, options);
-    load(w, operand(a, options), of_b, pairs, {wanted});
-    return assemble(w, cut(w, pairs, {wanted}), operation, 0);
+    const SolidData& given = operand(b, options);
+    const SolidData& of_b =
+        operation == Operation::subtract ? as_observed(reversible(given), options) : given;
+    return cut_and_assembled(operand(a, options), of_b, &of_b != &given, operation, options);
   } catch (const InternalError& error) {
     throw InternalError(std::string(error.what()) + "; " + save_operands(a, b));
   }

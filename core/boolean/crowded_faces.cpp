@@ -1,6 +1,7 @@
 #include "boolean/crowded_faces.h"
 
 #include "boolean/collect.h"
+#include "numbers/threshold.h"
 #include "search/face_corners.h"
 #include "search/hull.h"
 #include "search/space_partition.h"
@@ -22,7 +23,7 @@ class CrowdedFaces {
   }
 
   FacePairs pairs(const Workspace& w) const {
-    constexpr std::size_t least_cells = 64;
+    constexpr std::size_t least_cells = threshold(64, 2);
     const SpacePartition space(rods(), labels());
     const std::vector<SpacePartition::Cell> cells = space.cells(least_cells);
     return joined(collect<FacePairs>(w, cells.size(), 1, [&](std::size_t cell, FacePairs& out) {

@@ -22,8 +22,9 @@ auto coordinates(const Vec3& p) {
 }  // namespace
 
 CrowdedLines::CrowdedLines(const SolidData& a, const SolidData& b,
-                           const PerOperand<std::span<const std::uint32_t>>& slots)
-    : data_{&a, &b} {
+                           const PerOperand<std::span<const std::uint32_t>>& slots,
+                           bool turned_pairs_of_b)
+    : data_{&a, &b}, turned_pairs_of_b_(turned_pairs_of_b) {
   for (const Operand s : both_operands) {
     first_face_[s].assign(data_[s]->slots().size(), none);
     for (const std::uint32_t slot : slots[s]) add_faces(s, slot);
@@ -180,6 +181,7 @@ Box CrowdedLines::box_of_wedge(std::uint32_t line, std::uint32_t face, const Sid
   sort_corners(line, beyond, on_line, beside);
   const Vec3 ends[] = {at(side.from), at(side.to)};
   if (of_face == 0 || of_face == beside.size()) return along.reach(ends);
+  if (turned_pairs_of_b_ && faces_[face].solid == Operand::b) return along.reach(ends);
   // Half-edges have their face on the left, seen from outside: beyond a sharp edge the other face
   // goes down on the right.
   const bool turned = data_[faces_[face].solid]->slot(faces_[face].slot).turned;
@@ -199,6 +201,16 @@ PerOperand<std::vector<FaceId>> CrowdedLines::faces() const {
   for (std::uint32_t f = 0; f < faces_.size(); ++f)
     if (faces_[f].line != none) faces[faces_[f].solid].push_back(in_solid(f));
   return faces;
+}
+
+void CrowdedLines::mark(Workspace& w) const {
+  for (std::uint32_t line = 0; line < lines_.count(); ++line) {
+    const auto [from, to] = lines_.extent(line);
+    w.crowded_lines.push_back({load_point(geometry_, PointId(from), w.geometry),
+                               load_point(geometry_, PointId(to), w.geometry)});
+  }
+  w.kernel->refresh();
+  mark_vertices(w);
 }
 
 void CrowdedLines::mark_vertices(Workspace& w) const {

@@ -8,7 +8,9 @@
 // one side of the other's to its other side: neither has to be cut, and what one is to the other
 // is the same on all of it. Only where a wedge of material at an edge of one has a direction in
 // common with a wedge of the other, the material of a result has edges of both, and they are paired
-// there. All other pairs are left out, and what hangs together by no pair is a cluster of its own
+// there. Where the edges of a solid bound the wedges between its material, as it is to be turned
+// inside out, a wedge that holds an edge may be bounded by any of them, and all are paired. All
+// other pairs are left out, and what hangs together by no pair is a cluster of its own
 // (reduction/clusters.h).
 #pragma once
 
@@ -26,17 +28,18 @@ namespace sectile {
 
 class CrowdedLines {
  public:
-  /// Of the blocks in some slots of each solid.
+  /// Of the blocks in some slots of each solid. The edges of b may bound wedges without material.
   CrowdedLines(const SolidData& a, const SolidData& b,
-               const PerOperand<std::span<const std::uint32_t>>& slots);
+               const PerOperand<std::span<const std::uint32_t>>& slots, bool turned_pairs_of_b);
 
   bool empty() const { return lines_.count() == 0; }
   /// All pairs of faces of the solids that may meet, but for those that matter nowhere.
   FacePairs pairs();
   /// The faces at the lines. Rays must not begin in what they have on them.
   PerOperand<std::vector<FaceId>> faces() const;
-  /// Marks the vertices on the lines, and maybe some beside them, in patches with these faces.
-  void mark_vertices(Workspace& w) const;
+  /// Adds the lines to the workspace, and marks the vertices on them, and maybe some beside them,
+  /// in its patches with these faces.
+  void mark(Workspace& w) const;
 
  private:
   static constexpr std::uint32_t none = SpineLines::none;
@@ -71,6 +74,7 @@ class CrowdedLines {
   std::vector<Wedge> wedges(std::uint32_t line, const std::vector<std::uint32_t>& faces) const;
   Box box_of_wedge(std::uint32_t line, std::uint32_t face, const Side& side,
                    std::uint32_t beyond) const;
+  void mark_vertices(Workspace& w) const;
   void sort_corners(std::uint32_t line, std::uint32_t face, std::vector<Vec3>& on_line,
                     std::vector<Vec3>& beside) const;
   /// None if its block is not near.
@@ -89,6 +93,7 @@ class CrowdedLines {
   const Vec3& at(PointId p) const { return geometry_.position(p); }
 
   PerOperand<const SolidData*> data_;
+  bool turned_pairs_of_b_;
   Geometry geometry_;                                  // of both
   std::vector<Face> faces_;                            // those of A first
   std::vector<Side> sides_;                            // by face

@@ -11,6 +11,7 @@
 #include "boolean/crowded_lines.h"
 #include "boolean/equal_planes.h"
 #include "boolean/tables.h"
+#include "numbers/threshold.h"
 #include "parallel/scratch.h"
 #include "storage/near_faces.h"
 
@@ -158,7 +159,7 @@ class NearPairs {
 
  private:
   // More looks than so many for each face are a reason to divide space.
-  static constexpr std::size_t very_many = 128;
+  static constexpr std::size_t very_many = threshold(128, 2);
 
   FacePairs by_blocks(std::size_t most) {
     looks_ = count_ = 0;
@@ -206,11 +207,11 @@ class NearPairs {
 };
 
 // For each face near the other solid. Where there are more, it is worth while to find out why.
-constexpr std::size_t many_pairs = 8;
+constexpr std::size_t many_pairs = threshold(8, 1);
 
 // Whoever follows the phases, or asks for all that is cut, is shown all that meets.
 bool may_leave_out(const Workspace& w, const Wanted& wanted) {
-  return !w.options.observer && !wanted.operations.empty();
+  return !w.options.observer && !wanted.operations.empty() && !wanted.all_pairs;
 }
 
 // All pairs that may meet, or, if very many do for nothing, the lines where they do. Pairs of hubs
@@ -225,7 +226,8 @@ std::optional<CrowdedLines> lines_or_pairs(const Workspace& w, const SolidData& 
       pairs = *std::move(few);
       return {};
     }
-    CrowdedLines lines(a, b, {{slots.slots(Operand::a), slots.slots(Operand::b)}});
+    CrowdedLines lines(a, b, {{slots.slots(Operand::a), slots.slots(Operand::b)}},
+                       wanted.turned_pairs);
     if (!lines.empty()) {
       pairs = lines.pairs();
       return lines;
@@ -269,7 +271,7 @@ struct ToLoad {
 // Large ones beside each other, with geometries of their own at first.
 void load_patches(Workspace& w, const SolidData& a, ToLoad of_a, const SolidData& b, ToLoad of_b,
                   std::size_t pairs) {
-  constexpr std::size_t few = 500;
+  constexpr std::size_t few = threshold(500, 1);
   Patch &patch_a = w.patch[Operand::a], &patch_b = w.patch[Operand::b];
   if (of_a.faces.size() < few || of_b.faces.size() < few) {
     // The two faces of a pair are cut once, as a rule: five new edges in each, with both ends.
@@ -313,7 +315,7 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
   unite_equal_planes(w, pairs);
   complete_patches(w.patch, w.geometry, *w.kernel);
   if (lines) {
-    lines->mark_vertices(w);
+    lines->mark(w);
     add_owners_on_lines(w, pairs);
   } else {
     hubs.add_pairs_of_owners(w, pairs);

@@ -4,6 +4,7 @@
 
 #include "boolean/side_by_side.h"
 #include "geometry/kernel.h"
+#include "numbers/threshold.h"
 #include "search/id_map.h"
 #include "sectile/errors.h"
 #include "storage/geometry_loader.h"
@@ -12,7 +13,7 @@
 namespace sectile {
 namespace {
 
-constexpr std::size_t many_corners = 24;
+constexpr std::size_t many_corners = threshold(24, 4);
 
 void shift(Brep& brep, const GeometryOffset& offset) {
   for (PlaneId& s : brep.plane) s = offset.plane(s);
@@ -76,7 +77,7 @@ class PartLoader {
     return edges;
   }
 
-  static constexpr std::size_t few_corners = 64;
+  static constexpr std::size_t few_corners = threshold(64, 4);
   GeometryLoader& geometry(std::uint32_t slot, std::size_t expected = few_corners) {
     if (!loaders_[slot])
       loaders_[slot] =

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "boolean/operand.h"
+#include "numbers/threshold.h"
 #include "parallel/parallel.h"
 
 namespace sectile {
@@ -12,7 +13,7 @@ namespace sectile {
 /// few, starting a thread would take longer than they do.
 template <class Body>
 void for_both_operands(std::size_t work, const Body& body) {
-  constexpr std::size_t enough = 500;
+  constexpr std::size_t enough = threshold(500, 1);
   if (work < enough) {
     for (const Operand s : both_operands) body(s);
   } else {

@@ -1,8 +1,10 @@
 // What all phases of one operation work on: the loaded parts of both operands, and one geometry.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <memory>
+#include <vector>
 
 #include "boolean/operand.h"
 #include "boolean/patch.h"
@@ -19,6 +21,8 @@ struct Workspace {
   Geometry geometry;
   std::unique_ptr<Kernel> kernel;
   PerOperand<Patch> patch;
+  /// Two points on each line where not all that meets was looked for (boolean/crowded_lines.h).
+  std::vector<std::array<PointId, 2>> crowded_lines;
 
   const Kernel& tests() const { return *kernel; }
 

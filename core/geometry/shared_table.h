@@ -7,6 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "numbers/threshold.h"
+
 namespace sectile {
 
 template <class Value>
@@ -27,7 +29,7 @@ class SharedTable {
 
  private:
   // Most solids have no more: so many are looked at one by one.
-  static constexpr std::size_t few = 16;
+  static constexpr std::size_t few = threshold(16, 1);
 
   std::uint32_t among_few(const Pointer& value) {
     const auto at = std::find(items_.begin(), items_.end(), value);

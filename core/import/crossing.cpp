@@ -1,5 +1,6 @@
 #include "import/crossing.h"
 
+#include "numbers/threshold.h"
 #include "search/piece_tree.h"
 #include "selftest/rim_sweep.h"
 
@@ -102,7 +103,7 @@ bool edges_cross(const Kernel& kernel, int axis, bool behind, std::span<const Po
   const std::size_t count = edges.all().size();
   // Four turns to one side make one round.
   if (count == 4 && loop_ends.size() == 1 && is_convex(kernel, axis, edges.all())) return false;
-  constexpr std::size_t few = 16;
+  constexpr std::size_t few = threshold(16, 1);
   if (count <= few) return edges.any_pair_crosses();
   // Long slanted edges have boxes that overlap by the million; a sweep tells that nothing crosses,
   // as a rule.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "numbers/threshold.h"
 #include "search/face_tree.h"
 
 namespace sectile {
@@ -21,7 +22,7 @@ FacesAlongX::FacesAlongX(const SolidData& data, std::vector<FaceId> faces, std::
   boxes.reserve(faces_.size());
   for (const FaceId f : faces_) boxes.push_back(face_box(brep, data.geometry(), f));
   tree_ = BoxTree(boxes);
-  constexpr std::size_t many = 16;
+  constexpr std::size_t many = threshold(16, 1);
   if (lines >= many && are_mostly_empty(boxes))
     oriented_.emplace(tree_, [&](std::uint32_t i, const auto& add) {
       for_each_in_loop(brep, brep.outer_loop[faces_[i]], [&](HalfEdgeId h) {

@@ -12,6 +12,7 @@
 #include "geometry/triangulation.h"
 #include "import/faces_along_x.h"
 #include "import/shell_boxes.h"
+#include "numbers/threshold.h"
 #include "search/face_tree.h"
 #include "search/missed_face.h"
 #include "sectile/errors.h"
@@ -102,7 +103,7 @@ class LineThroughFace {
   // once, as each step takes a look at all that is beyond.
   template <class IsKnown>
   std::optional<std::vector<FaceId>> follow(const IsKnown& is_known) {
-    constexpr std::size_t few = 8;
+    constexpr std::size_t few = threshold(8, 1);
     std::vector<FaceId> faces;
     at_ = {point_.x[0], point_.w};
     while (faces.empty() || !is_known(faces.back())) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "numbers/threshold.h"
 #include "parallel/parallel.h"
 #include "search/curve_order.h"
 
@@ -11,7 +12,7 @@ namespace sectile {
 namespace {
 
 // All boxes of a group are looked at where one is near.
-constexpr std::uint32_t most_of_a_group = 32;
+constexpr std::uint32_t most_of_a_group = threshold(32, 4);
 
 double size_of(const std::array<double, 3>& n) {
   return std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/axes.h"
+#include "numbers/threshold.h"
 #include "rounding/enclosed_volume.h"
 #include "rounding/resolved.h"
 #include "rounding/separation.h"
@@ -16,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFu;
 // So many vertices at a place, moved apart, are looked at once more.
-constexpr std::size_t small_crowd = 32;
+constexpr std::size_t small_crowd = threshold(32, 4);
 
 // The least box of a triangle, and those around it.
 struct Surroundings {

@@ -5,11 +5,13 @@
 #include <limits>
 #include <unordered_set>
 
+#include "numbers/threshold.h"
+
 namespace sectile {
 namespace {
 
 // Each cone is compared with all fans of its site that have none.
-constexpr std::size_t most_others = 8;
+constexpr std::size_t most_others = threshold(8, 1);
 // Of a fan, so many planes are looked at.
 constexpr std::size_t most_bounds = 64;
 // What hangs on a fan is looked for among so many triangles.

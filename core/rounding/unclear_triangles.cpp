@@ -6,6 +6,7 @@
 #include <bit>
 #include <utility>
 
+#include "numbers/threshold.h"
 #include "parallel/parallel.h"
 #include "parallel/scratch.h"
 #include "rounding/clear_stars.h"
@@ -21,7 +22,8 @@ struct Patience {
   std::uint32_t groups_by_boxes;  // beyond these, oriented boxes are asked
   std::uint32_t groups, pairs;
 };
-constexpr Patience normal{0xFFFFFFFFu, 8192, 1024}, little{8, 256, 32};
+constexpr Patience normal = threshold(Patience{0xFFFFFFFFu, 8192, 1024}, Patience{1, 64, 16}),
+                   little = threshold(Patience{8, 256, 32}, Patience{1, 32, 8});
 // Patience ends when so much more was met, for each triangle that moved.
 constexpr std::uint64_t most_beyond = 16;
 

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "numbers/threshold.h"
 #include "parallel/parallel.h"
 #include "parallel/sort.h"
 #include "search/hilbert.h"
@@ -9,7 +10,7 @@
 namespace sectile {
 namespace {
 
-constexpr std::size_t parallel_from = 8192;
+constexpr std::size_t parallel_from = threshold(8192, 8);
 
 template <class Body>
 void for_range(std::size_t count, const Body& body) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "numbers/threshold.h"
 #include "parallel/parallel.h"
 
 namespace sectile {
@@ -29,7 +30,7 @@ std::vector<std::uint32_t> bucket_sort(std::vector<T>& elements, std::size_t buc
       if (begin[b + 1] - begin[b] > 1)
         std::sort(sorted.begin() + begin[b], sorted.begin() + begin[b + 1], less);
   };
-  constexpr std::size_t chunk = 2048, parallel_from = 8192;
+  constexpr std::size_t chunk = threshold(2048, 8), parallel_from = threshold(8192, 8);
   if (elements.size() < parallel_from)
     sort_some(0, buckets);
   else

@@ -5,6 +5,7 @@
 
 #include "geometry/axes.h"
 #include "numbers/rounding.h"
+#include "numbers/threshold.h"
 #include "search/approximate.h"
 #include "search/box.h"
 
@@ -21,7 +22,7 @@ struct Sorted {
 
 class LineFinder {
   // So many lines are told apart of which doubles know no difference.
-  static constexpr std::size_t most_alike = 8;
+  static constexpr std::size_t most_alike = threshold(8, 1);
   // Errors below this part of the whole tell lines apart.
   static constexpr double coarsest = 0x1p-20;
 

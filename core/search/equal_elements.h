@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "numbers/threshold.h"
 #include "numbers/unset_vector.h"
 #include "parallel/parallel.h"
 #include "parallel/scratch.h"
@@ -46,7 +47,7 @@ class EqualElements {
   struct Element {
     std::uint32_t hash, number;
   };
-  static constexpr std::size_t size_of_part = 1024, most_parts = 2048;
+  static constexpr std::size_t size_of_part = threshold(1024, 4), most_parts = 2048;
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
   // By the highest bits of the hashes. Each slice of the elements is counted, and then moved.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/geometry.h"
+#include "numbers/threshold.h"
 #include "search/box.h"
 #include "search/edges_by_line.h"
 #include "topology/brep.h"
@@ -18,7 +19,7 @@ namespace sectile {
 class Hubs {
  public:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
-  static constexpr std::uint32_t least_faces = 16;  ///< half of a small block
+  static constexpr std::uint32_t least_faces = threshold(16, 3);  ///< half of a small block
 
   /// The line between two hubs along which many edges run.
   using Spine = PointPair;

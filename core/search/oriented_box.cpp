@@ -1,6 +1,7 @@
 #include "search/oriented_box.h"
 
 #include "numbers/rounding.h"
+#include "numbers/threshold.h"
 #include "search/approximate.h"
 
 namespace sectile {
@@ -167,7 +168,7 @@ double begin_along_x(const OrientedBox& box, const Vec3& start) {
 // By half their surfaces.
 bool are_mostly_empty(std::span<const Box> boxes) {
   constexpr double many_times = 4;
-  constexpr std::size_t few = 32;
+  constexpr std::size_t few = threshold(32, 2);
   if (boxes.size() < few) return false;
   const auto surface = [](const Box& b) {
     const double x = double(b.high[0]) - double(b.low[0]), y = double(b.high[1]) - double(b.low[1]),

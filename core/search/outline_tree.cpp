@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "numbers/rounding.h"
+#include "numbers/threshold.h"
 #include "search/curve_order.h"
 
 namespace sectile {
@@ -47,7 +48,7 @@ void OutlineTree::sort_loops(std::span<const Vec3> corners,
       loop_begin_.push_back(begin);
     }
   };
-  constexpr std::size_t few_loops = 4;
+  constexpr std::size_t few_loops = threshold(4, 1);
   if (loop_ends.size() <= few_loops) {
     for (std::size_t loop = 0; loop < loop_ends.size(); ++loop) add(loop);
     return;

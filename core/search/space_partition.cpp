@@ -4,6 +4,7 @@
 #include <numeric>
 #include <random>
 
+#include "numbers/threshold.h"
 #include "parallel/parallel.h"
 #include "search/approximate.h"
 
@@ -14,9 +15,9 @@ using namespace approximate;
 namespace {
 
 // A thing that has so few others beside it in a cell is compared with them.
-constexpr std::size_t few_others = 24;
+constexpr std::size_t few_others = threshold(24, 1);
 // A choice of a plane takes as long as so many pairs.
-constexpr std::size_t pairs_for_a_plane = 256;
+constexpr std::size_t pairs_for_a_plane = threshold(256, 2);
 constexpr int most_levels = 6;
 
 Vec3 farthest_from(const Vec3& from, std::span<const Vec3> points) {

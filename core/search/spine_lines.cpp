@@ -8,17 +8,16 @@ SpineLines::SpineLines(const Kernel& kernel, std::span<const PointId> points,
                        std::span<const PointPair> edges) {
   if (edges.empty()) return;
   const auto at = [&](std::uint32_t point) { return kernel.geometry().position(points[point]); };
-  std::vector<PointPair> extents;
   std::vector<PieceTree::Edge> pieces, places;
   for (const EdgesOfLine& line : edges_by_line(kernel, points, edges)) {
     const auto [from, to] = line.extent;
-    extents.push_back(line.extent);
+    extents_.push_back(line.extent);
     pieces.push_back({at(from), at(to)});
     lines_.emplace_back(at(from), at(to));
   }
   for (std::uint32_t i = 0; i < points.size(); ++i) places.push_back({at(i), at(i)});
   const auto is_on = [&](std::uint32_t point, std::uint32_t line) {
-    const auto [from, to] = extents[line];
+    const auto [from, to] = extents_[line];
     return point == from || point == to ||
            are_on_one_line(kernel, points[from], points[to], points[point]);
   };

@@ -57,10 +57,13 @@ class SpineLines {
   /// All, ascending.
   std::span<const On> points() const { return on_; }
   const AlongLine& operator[](std::uint32_t line) const { return lines_[line]; }
+  /// The points at both ends of the edges on a line.
+  const PointPair& extent(std::uint32_t line) const { return extents_[line]; }
 
  private:
   std::vector<On> on_;
   std::vector<AlongLine> lines_;
+  std::vector<PointPair> extents_;
 };
 
 }  // namespace sectile

@@ -6,6 +6,7 @@
 
 #include "geometry/four_points.h"
 #include "numbers/rounding.h"
+#include "numbers/threshold.h"
 #include "parallel/parallel.h"
 #include "selftest/rim_sweep.h"
 
@@ -13,7 +14,7 @@ namespace sectile {
 namespace {
 
 // Fewer triangles are not worth a look.
-constexpr std::size_t many = 16;
+constexpr std::size_t many = threshold(16, 2);
 
 // Edges between triangles of one plane, as bits per triangle.
 class FlatEdges {

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "numbers/threshold.h"
 #include "parallel/parallel.h"
 #include "parallel/scratch.h"
 #include "search/hub_fans.h"
@@ -68,9 +69,9 @@ class Traversal {
 
   // More tests than so many for each triangle are a reason to look for lines along which many meet;
   // more tests and pairs of nodes, to divide space.
-  static constexpr std::size_t many_tests = 32, very_many = 128;
+  static constexpr std::size_t many_tests = threshold(32, 2), very_many = threshold(128, 4);
   static constexpr std::size_t counted_at_a_time = 1024;
-  static constexpr std::size_t least_cells = 64;
+  static constexpr std::size_t least_cells = threshold(64, 2);
 
   bool traversed() {
     try {

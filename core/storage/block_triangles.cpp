@@ -6,6 +6,7 @@
 #include "geometry/face_predicates.h"
 #include "geometry/kernel.h"
 #include "geometry/triangulation.h"
+#include "numbers/threshold.h"
 #include "parallel/parallel.h"
 #include "sectile/errors.h"
 #include "storage/block_elements.h"
@@ -29,7 +30,7 @@ struct CutFaces {
 // The sides of a face of few corners: a row of bits for each corner.
 class SideMatrix {
  public:
-  static constexpr std::uint32_t most_corners = 32;
+  static constexpr std::uint32_t most_corners = threshold(32, 4);
 
   /// False if it was there.
   bool add(std::uint32_t from, std::uint32_t to) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "numbers/threshold.h"
 #include "search/approximate.h"
 #include "search/missed_face.h"
 
@@ -10,10 +11,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // So many blocks are looked at in no more time than their oriented boxes take.
-constexpr std::size_t few_slots = 8;
+constexpr std::size_t few_slots = threshold(8, 0);
 // To make an oriented box or a tree takes about as long as so many steps.
-constexpr std::size_t steps_for_a_box = 8;
-constexpr std::size_t many_corners = 64;
+constexpr std::size_t steps_for_a_box = threshold(8, 0);
+constexpr std::size_t many_corners = threshold(64, 5);
 
 std::size_t corner_count(const Brep& brep, FaceId face) {
   std::size_t count = 0;

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "numbers/threshold.h"
+
 namespace sectile {
 namespace {
 
@@ -10,7 +12,8 @@ IdMap& made(std::optional<IdMap>& map, std::size_t expected, std::size_t ids) {
   return *map;
 }
 
-constexpr std::size_t few_frames = 16;  // as a rule, of faces that are near each other
+constexpr std::size_t few_frames =
+    threshold(16, 1);  // as a rule, of faces that are near each other
 
 }  // namespace
 

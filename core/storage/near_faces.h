@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "numbers/threshold.h"
 #include "search/face_slab.h"
 #include "search/hull.h"
 #include "storage/block.h"
@@ -115,7 +116,7 @@ class NearFaces {
   };
 
   // So few are tested exactly in no more time.
-  static constexpr std::size_t few_pairs = 1024;
+  static constexpr std::size_t few_pairs = threshold(1024, 1);
 
   SlabCache slabs_[2];
   HullCache hulls_[2];

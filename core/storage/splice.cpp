@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "numbers/threshold.h"
 #include "storage/geometry_loader.h"
 
 namespace sectile {
@@ -38,7 +39,7 @@ void compact(SharedSlots& shared) {
   const std::vector<Slot>& slots = shared.slots;
   const auto empty = static_cast<std::size_t>(
       std::count_if(slots.begin(), slots.end(), [](const Slot& s) { return s.empty(); }));
-  constexpr std::size_t most_slots_a_block = 8;
+  constexpr std::size_t most_slots_a_block = threshold(8, 2);
   if (slots.size() <= most_slots_a_block * (slots.size() - empty)) return;
   std::vector<std::uint32_t> gaps_before(slots.size());
   std::uint32_t gaps = 0;

@@ -60,6 +60,13 @@ TEST(Kuhn, SomeRandomPairsOfAllMeshings) {
           << "meshings " << int(a) << ' ' << int(b);
 }
 
+// Taken for crowded, its lines leave no corner of the shell to begin a ray in.
+TEST(Kuhn, AShellAllOfWhoseCornersAreOnLinesOfTheOtherSet) {
+  const Complex complex = Complex::tetrahedra(2);
+  const Pair pairs[] = {{0x6400009809a2, 0x40091}, {0x668c659979aa, 0x1409048091}};
+  EXPECT_EQ(faults_of_pairs({complex, Meshing::shared, Meshing::shared, false}, pairs), Faults{});
+}
+
 TEST(KuhnExhaustive, TwentyThousandRandomPairsWithSharedVertices) {
   const Complex complex = Complex::tetrahedra(2);
   EXPECT_EQ(faults_of_pairs({complex, Meshing::shared, Meshing::shared, false},

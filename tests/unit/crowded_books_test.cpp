@@ -5,6 +5,7 @@
 #include <random>
 
 #include "cases.h"
+#include "sectile/repair.h"
 #include "sectile/sectile.h"
 #include "unit/leaves.h"
 
@@ -44,6 +45,34 @@ void expect_the_same_for_an_observer(const Solid& a, const Solid& b) {
     EXPECT_TRUE(validate(result).empty());
     EXPECT_TRUE(boolean(result, b, Operation::subtract) == boolean(all, b, Operation::subtract));
   }
+}
+
+// Walls side by side, none of which reaches to the next one.
+Solid book_of_walls(int first_direction, int count, bool of_one_length) {
+  PolygonMesh mesh;
+  for (int i = 0; i < count; ++i) {
+    const int direction = first_direction + 2 * i, end = of_one_length ? 0 : i;
+    test::add_leaf({direction, direction + 1, end % 7, 200 - end}, false, mesh);
+  }
+  return repair(mesh);  // knows where walls touch
+}
+
+void expect_apart(const Solid& a, const Solid& b) {
+  EXPECT_EQ(boolean(a, b, Operation::subtract), a);
+  EXPECT_EQ(boolean(b, a, Operation::subtract), b);
+  EXPECT_TRUE(boolean(a, b, Operation::intersect).is_empty());
+  EXPECT_DOUBLE_EQ(boolean(a, b, Operation::unite).volume(), a.volume() + b.volume());
+}
+
+// Of the wedges between walls of one book, the widest one holds the other book.
+TEST(CrowdedBooks, AreNotCutByBooksBesideThem) {
+  for (const int count : {3, 45})
+    for (const bool of_one_length : {true, false}) {
+      SCOPED_TRACE(count);
+      SCOPED_TRACE(of_one_length);
+      expect_apart(book_of_walls(0, count, of_one_length),
+                   book_of_walls(100, count, of_one_length));
+    }
 }
 
 TEST(CrowdedBooks, AreWhatTheyAreForAnObserver) {

@@ -1,8 +1,10 @@
 #include "boolean/components/free_point.h"
 
+#include <algorithm>
+
 #include "boolean/line.h"
 #include "geometry/probe.h"
-#include "sectile/errors.h"
+#include "search/edges_by_line.h"
 
 namespace sectile {
 
@@ -34,9 +36,18 @@ void FreePoints::add_crowded_lines() {
   for (const EdgeId e : brep_.edges()) {
     const HalfEdgeId h = Brep::half_edge(e);
     const VertexId from = brep_.from(h), to = brep_.to(h);
-    if (from.value() < on_line.size() && to.value() < on_line.size())
-      edge_in_contact_[e] |= on_line[from] & on_line[to];
+    if (from.value() >= on_line.size() || to.value() >= on_line.size()) continue;
+    if (on_line[from] && on_line[to] &&
+        are_on_crowded_line({brep_.point_of(from), brep_.point_of(to)}))
+      edge_in_contact_[e] = 1;
   }
+}
+
+bool FreePoints::are_on_crowded_line(std::initializer_list<PointId> points) const {
+  return std::ranges::any_of(w_.crowded_lines, [&](const auto& line) {
+    return std::ranges::all_of(
+        points, [&](PointId p) { return are_on_one_line(w_.tests(), line[0], line[1], p); });
+  });
 }
 
 PointId FreePoints::on_shell_of(FaceId start) {
@@ -62,7 +73,7 @@ PointId FreePoints::on_shell_of(FaceId start) {
   }
   w_.kernel->refresh();
   if (!found.valid()) found = within_an_edge(edges);
-  if (!found.valid()) throw InternalError("a shell lies on the other boundary without a contact");
+  if (!found.valid()) throw NoFreePoint("a shell lies on the other boundary without a contact");
   return found;
 }
 
@@ -90,7 +101,7 @@ PointId FreePoints::within_an_edge(std::vector<EdgeId>& edges) {
       const Construction how = edge_plane_construction(w_, operand_, h, across);
       const PointId made = add_constructed(w_.geometry, how, w_.tests().construct(how));
       w_.kernel->refresh();
-      return made;
+      if (!are_on_crowded_line({made})) return made;
     }
   }
   return {};

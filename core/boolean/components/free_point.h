@@ -1,22 +1,33 @@
 // A point of a shell that is not on the other boundary.
 #pragma once
 
+#include <initializer_list>
 #include <vector>
 
 #include "boolean/reduction/reduction.h"
+#include "sectile/errors.h"
 
 namespace sectile {
+
+/// Where no point is known to be free: as a rule, all edges of a shell are on crowded lines
+/// (boolean/crowded_lines.h).
+class NoFreePoint : public InternalError {
+ public:
+  using InternalError::InternalError;
+};
 
 /// Walks over the loaded faces of one operand, over each once.
 class FreePoints {
  public:
   FreePoints(Workspace& w, const Contacts& contacts, Operand operand);
 
-  /// Of the shell to which a loaded face belongs. Adds points, maybe planes, to the geometry.
+  /// Of the shell to which a loaded face belongs. Adds points, maybe planes, to the geometry. May
+  /// throw NoFreePoint.
   PointId on_shell_of(FaceId face);
 
  private:
   void add_crowded_lines();
+  bool are_on_crowded_line(std::initializer_list<PointId> points) const;
   PointId corner_beyond(HalfEdgeId in_solid);
   PointId within_an_edge(std::vector<EdgeId>& edges);
   PlaneId plane_between(PointId from, PointId to, int axis);

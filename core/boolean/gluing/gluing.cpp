@@ -5,6 +5,7 @@
 #include "boolean/collect.h"
 #include "boolean/gluing/glue_sources.h"
 #include "boolean/gluing/kept_blocks.h"
+#include "numbers/threshold.h"
 #include "sectile/errors.h"
 #include "topology/open_ends.h"
 #include "topology/vertex_cycles.h"
@@ -57,7 +58,7 @@ class Gluer {
   }
 
  private:
-  static constexpr std::size_t faces_of_a_part = 256;
+  static constexpr std::size_t faces_of_a_part = threshold(256, 4);
 
   void find_edges(std::size_t place, Part& part) const {
     const std::uint32_t source = faces_[place].source;

@@ -10,6 +10,7 @@
 #include "boolean/reduction/standing.h"
 #include "geometry/axes.h"
 #include "geometry/loop_area.h"
+#include "numbers/threshold.h"
 #include "search/box_tree.h"
 #include "search/bucket_sort.h"
 #include "search/lowest_first.h"
@@ -289,7 +290,7 @@ class PartSettler {
     }
   }
 
-  static constexpr std::size_t many_edges = 24;
+  static constexpr std::size_t many_edges = threshold(24, 2);
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
   Workspace& w_;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "boolean/ray_count.h"
+#include "numbers/threshold.h"
 #include "search/box_tree.h"
 #include "sectile/errors.h"
 #include "storage/geometry_loader.h"
@@ -50,7 +51,7 @@ class PartsOfFace {
   }
 
  private:
-  static constexpr std::size_t few_points = 64;
+  static constexpr std::size_t few_points = threshold(64, 2);
 
   // What has edges, as a tree over them.
   struct Outline {

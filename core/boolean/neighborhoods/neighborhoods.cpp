@@ -8,6 +8,7 @@
 #include "boolean/collect.h"
 #include "boolean/line.h"
 #include "geometry/around_line.h"
+#include "numbers/threshold.h"
 #include "search/bucket_sort.h"
 #include "sectile/errors.h"
 
@@ -43,7 +44,7 @@ class CarriersSeen {
   std::size_t count() const { return few_.size() + many_.size(); }
 
  private:
-  static constexpr std::size_t most_of_few = 12;
+  static constexpr std::size_t most_of_few = threshold(12, 1);
   std::vector<std::uint64_t> few_;
   std::set<std::uint64_t> many_;
 };
@@ -342,7 +343,7 @@ class Finder {
   }
 
  private:
-  static constexpr std::size_t chunk = 256;
+  static constexpr std::size_t chunk = threshold(256, 2);
 
   std::size_t segment_count() const { return starts_.size() - 1; }
   std::span<const Keyed> records(std::size_t segment) const {

@@ -60,6 +60,8 @@ struct Neighborhoods {
 struct Wanted {
   std::span<const Operation> operations = {};
   bool of_complement = false;  ///< wedges are those of the result's complement
+  bool turned_pairs = false;   ///< the edges of B bound wedges without material (complement.h)
+  bool all_pairs = false;      ///< nothing is left out along crowded lines
 };
 
 /// Sorts and classifies the half-planes of each segment, and finds for each wanted operation the

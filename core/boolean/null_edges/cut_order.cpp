@@ -5,6 +5,7 @@
 
 #include "boolean/collect.h"
 #include "boolean/direction.h"
+#include "numbers/threshold.h"
 #include "sectile/errors.h"
 
 namespace sectile {
@@ -178,7 +179,7 @@ class Ordering {
   }
 
  private:
-  static constexpr std::size_t chunk = 512;
+  static constexpr std::size_t chunk = threshold(512, 2);
 
   void leave(const SitesByPlace& places) {
     leaving_.resize(plan_.ends.size());

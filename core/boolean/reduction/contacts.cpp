@@ -8,6 +8,7 @@
 #include "boolean/face_location.h"
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
+#include "numbers/threshold.h"
 #include "search/bucket_sort.h"
 #include "search/face_corners.h"
 #include "search/piece_tree.h"
@@ -90,7 +91,7 @@ struct PairOutput {
 
 class PairTest {
   // So many are tested one by one.
-  static constexpr std::size_t few_pairs = 256;
+  static constexpr std::size_t few_pairs = threshold(256, 1);
 
  public:
   PairTest(const Workspace& w, PairOutput& out) : w_(w), kernel_(w.tests()), out_(out) {}

@@ -6,6 +6,7 @@
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
 #include "geometry/probe.h"
+#include "numbers/threshold.h"
 #include "search/piece_tree.h"
 
 namespace sectile {
@@ -51,7 +52,7 @@ class CrossingEdges {
   }
 
  private:
-  static constexpr std::size_t few = 8;
+  static constexpr std::size_t few = threshold(8, 1);
 
   FaceId face(std::uint32_t record) const { return found_.segments[record].on[other(s_)].face(); }
   HalfEdgeId half_edge(std::uint32_t record) const {

@@ -10,17 +10,14 @@
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
 #include "boolean/reduction/pierced_faces.h"
+#include "numbers/threshold.h"
 #include "search/piece_tree.h"
 
 namespace sectile {
 namespace {
 
 class Noding {
-#ifdef SECTILE_SMALL_BLOCKS  // for tests: small solids go this way, too
-  static constexpr std::size_t few_pairs = 0;
-#else
-  static constexpr std::size_t few_pairs = 1024;
-#endif
+  static constexpr std::size_t few_pairs = threshold(1024, 0);
 
  public:
   Noding(const Workspace& w, const Contacts& found, const Clusters& clusters)
@@ -54,9 +51,7 @@ class Noding {
     PlaceId place;
   };
 
-  const std::vector<PlaceId>& others() const {
-    return pierced_->others();
-  }
+  const std::vector<PlaceId>& others() const { return pierced_->others(); }
 
   PieceTree tree_of_others() const {
     std::vector<PieceTree::Edge> edges;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "boolean/reduction/reduction.h"
+#include "numbers/threshold.h"
 
 namespace sectile {
 
@@ -40,7 +41,7 @@ class PiercedFaces {
     }
   };
   // Faces that are pierced more often are searched as all else is.
-  static constexpr std::uint32_t most_places = 24;
+  static constexpr std::uint32_t most_places = threshold(24, 1);
 
   void group(const Contacts& found, Operand s, std::size_t faces);
 

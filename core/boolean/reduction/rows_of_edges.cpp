@@ -10,13 +10,14 @@
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
 #include "numbers/disjoint_sets.h"
+#include "numbers/threshold.h"
 #include "search/free_stretches.h"
 
 namespace sectile {
 namespace {
 
 // Fewer records are not worth looking at.
-constexpr std::size_t many = 256;
+constexpr std::size_t many = threshold(256, 2);
 
 // The records of edges on one line, in the order in which carriers are taken from them.
 class RowOfEdges {

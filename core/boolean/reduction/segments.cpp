@@ -10,6 +10,7 @@
 #include "boolean/reduction/crossing_faces.h"
 #include "boolean/reduction/standing.h"
 #include "geometry/axes.h"
+#include "numbers/threshold.h"
 #include "search/bucket_sort.h"
 #include "sectile/errors.h"
 
@@ -44,7 +45,7 @@ class EdgeNodes {
   }
 
   /// So many are looked at one by one.
-  static constexpr std::size_t few_nodes = 64;
+  static constexpr std::size_t few_nodes = threshold(64, 2);
 
   /// Of more than a few on an edge, those with a face of few corners, its edges and its vertices;
   /// else as near().
