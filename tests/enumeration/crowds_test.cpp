@@ -119,7 +119,7 @@ TEST_P(Crowds, AreWhatTheirCellsAre) {
 }
 
 TEST_P(CrowdsExhaustive, AreWhatTheirCellsAre) {
-  expect_pairs(GetParam(), 100, 40, 40);
+  expect_pairs(GetParam(), 100, 12, 30);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Crowds, testing::ValuesIn(kinds_of_crowds()), name_of);
