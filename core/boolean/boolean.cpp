@@ -166,6 +166,7 @@ Solid boolean(const Solid& a, const Solid& b, Operation operation, const Boolean
 
 namespace {
 
+// Where a shell has no edge off the lines along which pairs were left out, none are left out.
 Solid cut_and_assembled(const SolidData& a, const SolidData& b, bool turned_pairs,
                         Operation operation, const BooleanOptions& options) {
   const Operation wanted[] = {operation};

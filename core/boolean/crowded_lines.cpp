@@ -214,13 +214,24 @@ void CrowdedLines::mark(Workspace& w) const {
 }
 
 void CrowdedLines::mark_vertices(Workspace& w) const {
-  std::vector<Vec3> places;
-  for (const SpineLines::On& on : lines_.points()) places.push_back(at(PointId(on.point)));
-  std::ranges::sort(places, {}, coordinates);
+  struct Marked {
+    Vec3 place;
+    std::uint32_t line;
+  };
+  std::vector<Marked> marked;
+  for (const SpineLines::On& on : lines_.points())
+    marked.push_back({at(PointId(on.point)), on.line});
+  const auto place = [](const Marked& m) { return coordinates(m.place); };
+  std::ranges::sort(marked, {}, place);
   for (Patch& patch : w.patch)
-    for (const VertexId v : patch.brep.vertices())
-      patch.on_crowded_line.add(std::ranges::binary_search(
-          places, coordinates(w.geometry.position(patch.brep.point_of(v))), {}, coordinates));
+    for (const VertexId v : patch.brep.vertices()) {
+      const Vec3& position = w.geometry.position(patch.brep.point_of(v));
+      const auto first = std::ranges::lower_bound(marked, coordinates(position), {}, place);
+      const auto last = std::ranges::upper_bound(marked, coordinates(position), {}, place);
+      const bool on_one =
+          std::all_of(first, last, [&](const Marked& m) { return m.line == first->line; });
+      patch.on_crowded_line.add(first == last ? 0 : on_one ? 1 + first->line : Patch::several);
+    }
 }
 
 namespace {

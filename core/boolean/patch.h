@@ -50,8 +50,10 @@ struct Patch {
 
   Tested tested;
   /// Per loaded vertex: is it where both boundaries may meet without a contact that says so
-  /// (boolean/crowded_lines.h)? Empty if there is no such place.
-  Table<VertexId, std::uint8_t> on_crowded_line;
+  /// (boolean/crowded_lines.h)? The number of the line, from 1 on, or `several`. Empty if there is
+  /// no such place.
+  Table<VertexId, std::uint32_t> on_crowded_line;
+  static constexpr std::uint32_t several = 0xFFFFFFFFu;
 
   std::size_t loaded_faces = 0, loaded_edges = 0, loaded_vertices = 0;
   bool whole = false;  ///< all faces of the operand are loaded

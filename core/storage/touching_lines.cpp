@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "geometry/four_points.h"
-#include "numbers/threshold.h"
 #include "storage/block_elements.h"
 
 namespace sectile {
@@ -88,7 +87,7 @@ class Place {
   explicit Place(std::span<const Corner> corners) : corners_(corners) {}
 
   bool may_have_lines() {
-    constexpr std::size_t many = threshold(100, 1);  // each is looked at with each
+    constexpr std::size_t many = 100;  // each is looked at with each
     if (!has_single_edges()) return true;
     if (is_one_vertex()) return false;
     return corners_.size() > many || std::any_of(corners_.begin(), corners_.end(),

@@ -37,8 +37,10 @@ void FreePoints::add_crowded_lines() {
     const HalfEdgeId h = Brep::half_edge(e);
     const VertexId from = brep_.from(h), to = brep_.to(h);
     if (from.value() >= on_line.size() || to.value() >= on_line.size()) continue;
-    if (on_line[from] && on_line[to] &&
-        are_on_crowded_line({brep_.point_of(from), brep_.point_of(to)}))
+    const std::uint32_t one = on_line[from], two = on_line[to];
+    if (one == 0 || two == 0) continue;
+    const bool maybe = one == Patch::several || two == Patch::several;
+    if (maybe ? are_on_crowded_line({brep_.point_of(from), brep_.point_of(to)}) : one == two)
       edge_in_contact_[e] = 1;
   }
 }
@@ -101,7 +103,7 @@ PointId FreePoints::within_an_edge(std::vector<EdgeId>& edges) {
       const Construction how = edge_plane_construction(w_, operand_, h, across);
       const PointId made = add_constructed(w_.geometry, how, w_.tests().construct(how));
       w_.kernel->refresh();
-      if (!are_on_crowded_line({made})) return made;
+      if (!are_on_crowded_line({made})) return made;  // where it may meet what was left out
     }
   }
   return {};
