@@ -91,7 +91,7 @@ void add_crowd_elsewhere(int first_direction, PolygonMesh& mesh) {
 // Walls side by side, none of which reaches to the next one.
 Solid book_of_walls(int first_direction, int count, bool of_one_length) {
   PolygonMesh mesh;
-  add_crowd_elsewhere(first_direction == 0 ? 0 : 2, mesh);
+  if (count > 3) add_crowd_elsewhere(first_direction == 0 ? 0 : 2, mesh);
   for (int i = 0; i < count; ++i) {
     const int direction = first_direction + 2 * i, end = of_one_length ? 0 : i;
     test::add_leaf({direction, direction + 1, end % 7, 200 - end}, false, mesh);
@@ -106,7 +106,8 @@ void expect_apart(const Solid& a, const Solid& b) {
   EXPECT_DOUBLE_EQ(boolean(a, b, Operation::unite).volume(), a.volume() + b.volume());
 }
 
-// Of the wedges between walls of one book, the widest one holds the other book.
+// Of the wedges between walls of one book, the widest one holds the other book. Three walls are a
+// crowd in builds with small crowds.
 TEST(CrowdedBooks, AreNotCutByBooksBesideThem) {
   for (const int count : {3, 45})
     for (const bool of_one_length : {true, false}) {
