@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "cases.h"
 #include "pairs.h"
 #include "sectile/primitives.h"
 
@@ -96,7 +97,8 @@ std::string fault_in_chain(const Complex& complex, unsigned seed, int steps) {
 TEST(Cells, ChainsOfAllOperationsHaveTheShellsAndHolesThatAreCounted) {
   for (const Complex& complex :
        {Complex::cubes(2), Complex::cubes(3), Complex::tetrahedra(2), Complex::fan()})
-    for (unsigned seed = 1; seed <= 12; ++seed) EXPECT_EQ(fault_in_chain(complex, seed, 40), "");
+    for (unsigned seed = 1; seed <= cases(12u); ++seed)
+      EXPECT_EQ(fault_in_chain(complex, seed, 40), "");
 }
 
 TEST(CellsExhaustive, AllPairsWithSharedVertices) {

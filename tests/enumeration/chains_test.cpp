@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "cases.h"
 #include "cells.h"
 #include "sectile/sectile.h"
 
@@ -73,7 +74,7 @@ TEST(Chains, RandomBlocksOfAGridStayExact) {
 
 TEST(Chains, LawsOfSetAlgebraHoldExactly) {
   std::mt19937 random(7);
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < cases(40); ++i) {
     const auto some = [&] {
       return Solid::from_mesh(CellSet::of_mask(1 + random() % 255).mesh(Meshing::triangles));
     };

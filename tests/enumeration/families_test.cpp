@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "cases.h"
 #include "fault.h"
 #include "operations.h"
 #include "sectile/sectile.h"
@@ -182,7 +183,7 @@ TEST(Families, CoordinatesOfVeryUnequalSizes) {
 
 TEST(Families, ChainsOfSetsOfTetrahedraStayExact) {
   const Complex complex = Complex::tetrahedra(2);
-  for (unsigned seed = 1; seed <= 6; ++seed) {
+  for (unsigned seed = 1; seed <= cases(6u); ++seed) {
     std::mt19937_64 random(seed);
     Solid solid;
     Mask mask = 0;

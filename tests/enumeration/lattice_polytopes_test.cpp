@@ -7,6 +7,7 @@
 #include <random>
 #include <sstream>
 
+#include "cases.h"
 #include "inside.h"
 #include "lattice_solid.h"
 #include "operations.h"
@@ -281,7 +282,7 @@ TEST(LatticePolytopes, SomePairs) {
 }
 
 TEST(LatticePolytopes, SomeUnionsOfTwoWithAThird) {
-  EXPECT_EQ(faults_of_triples(1, 200), Faults{});
+  EXPECT_EQ(faults_of_triples(1, cases(200)), Faults{});
 }
 
 TEST(LatticePolytopesExhaustive, TwentyThousandPairs) {

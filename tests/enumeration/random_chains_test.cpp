@@ -8,6 +8,7 @@
 #include <sstream>
 #include <vector>
 
+#include "cases.h"
 #include "operations.h"
 #include "random_shapes.h"
 #include "unit/exact_mesh_checker.h"
@@ -181,7 +182,7 @@ void expect_lawful_chains(unsigned first_seed, unsigned count) {
 }
 
 TEST(RandomChains, FourOfTwentyFiveSteps) {
-  expect_lawful_chains(1, 4);
+  expect_lawful_chains(1, cases(4));
 }
 
 class RandomChainsExhaustive : public testing::TestWithParam<unsigned> {};

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "boundary.h"
+#include "cases.h"
 #include "complex.h"
 #include "fault.h"
 #include "sectile/sectile.h"
@@ -200,7 +201,7 @@ void expect_faultless(unsigned seed, int count, int solids_each) {
 }
 
 TEST(Soups, AHundredAgainstCountedCells) {
-  expect_faultless(1, 100, 3);
+  expect_faultless(1, cases(100), 3);
 }
 
 // The union touches itself in an edge that lies in one of its faces. Where it is in several blocks,

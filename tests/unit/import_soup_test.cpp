@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "cases.h"
 #include "sectile/sectile.h"
 #include "unit/cell_mesh.h"
 
@@ -59,7 +60,7 @@ PolygonMesh shuffled(const PolygonMesh& mesh, Random& random) {
 
 TEST(ImportSoup, ShuffledSoupsAreTheSameSolid) {
   Random random(2);
-  for (int round = 0; round < 100; ++round) {
+  for (int round = 0; round < cases(100); ++round) {
     const std::set<Cell> cells = random_cells(random);
     const PolygonMesh mesh = cell_mesh(cells);
     const Solid first = Solid::from_mesh(mesh), second = Solid::from_mesh(shuffled(mesh, random));

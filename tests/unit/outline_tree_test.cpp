@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "cases.h"
 #include "search/piece_tree.h"
 
 namespace sectile {
@@ -240,7 +241,7 @@ TEST(OutlineTree, FindsFewTeethThatComeNearToOne) {
 // Long edges through lattice points, so that all through one point meet.
 TEST(PieceTree, FindsAllPairsOfEdgesThatMeet) {
   Random random(4);
-  for (int n = 0; n < 300; ++n) {
+  for (int n = 0; n < cases(300); ++n) {
     std::vector<PieceTree::Edge> edges;
     std::vector<std::int64_t> centre;
     const bool parallel = n % 2 == 0;

@@ -7,6 +7,7 @@
 #include <map>
 #include <random>
 
+#include "cases.h"
 #include "sectile/sectile.h"
 
 namespace sectile {
@@ -205,7 +206,7 @@ void check_soups(unsigned seed, int rounds) {
 }
 
 TEST(Repair, SoupsOfOverlappingParts) {
-  check_soups(1, 300);
+  check_soups(1, cases(300));
 }
 
 }  // namespace
