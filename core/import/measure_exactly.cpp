@@ -107,6 +107,16 @@ double exact_volume(const SolidData& solid) {
 
 namespace {
 
+// No number of bits would tell the area of a face all of whose corners are on one line.
+void throw_if_on_one_line(const Brep& brep, FaceId f, const Kernel& kernel) {
+  bool on_line = true;
+  for_each_fan(brep, f, [&](PointId a, PointId b, PointId c) {
+    for (int axis = 0; on_line && axis < 3; ++axis)
+      on_line = kernel.turn(a, b, c, axis) == Sign::zero;
+  });
+  if (on_line) throw InternalError("a face has no area");
+}
+
 // Twice a face's area, off by 2^-60 of it at most, if its corners are known well enough.
 std::optional<Dyadic> two_areas(const Brep& brep, FaceId f, const Corners& corners, bool exact,
                                 int bits) {
@@ -131,7 +141,7 @@ std::optional<Dyadic> two_areas(const Brep& brep, FaceId f, const Corners& corne
   Dyadic error;
   for (std::size_t k = 0; k < 3; ++k) error += extent[(k + 1) % 3] * extent[(k + 2) % 3];
   error = (error * Dyadic(32 * terms)).scaled(-bits);
-  if (square < (error * error).scaled(2 * 62)) return std::nullopt;
+  if (!((error * error).scaled(2 * 62) < square)) return std::nullopt;
   return square_root(square);
 }
 
@@ -145,8 +155,12 @@ std::optional<Dyadic> two_areas(const SomeFaces& part, int bits) {
     Dyadic sum_of_range;
     for (std::size_t i = from; i < to; ++i) {
       const auto area = two_areas(part.brep, part.faces[i], corners, exact, bits);
-      if (area) sum_of_range += *area;
-      open[i] = !area;
+      if (area) {
+        sum_of_range += *area;
+      } else {
+        throw_if_on_one_line(part.brep, part.faces[i], kernel);
+        open[i] = 1;
+      }
     }
     return sum_of_range;
   });

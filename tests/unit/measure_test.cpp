@@ -154,6 +154,27 @@ TEST(Area, FarFromTheOrigin) {
   }
 }
 
+// All corners are at two points of an edge that is cut at thirds: no number of bits tells the area.
+TEST(Area, OfAFaceWithoutAnyIsAnError) {
+  const Solid bar = block({0, 0, 0}, {2, 1, 1});
+  const Solid cut = split(split(bar, {3, 1, 1, -7}).second, {3, 1, 1, -3}).first;
+  const SolidData& data = *cut.data();
+  const Kernel kernel(data.geometry());
+  std::vector<PointId> on_edge;
+  for (const PointId p : data.brep().point)
+    if (const ExactPoint& at = kernel.exact(p); at.x[1] == at.w && at.x[2] == at.w)
+      on_edge.push_back(p);
+  ASSERT_EQ(on_edge.size(), 2u);
+  Brep flat = data.brep();
+  const HalfEdgeId first = flat.loop_half_edge[flat.outer_loop[FaceId(0)]];
+  std::size_t corner = 0;
+  for_each_in_loop(flat, flat.outer_loop[FaceId(0)], [&](HalfEdgeId h) {
+    flat.point[flat.from(h)] = on_edge[h == first ? 0 : corner++ % 2];
+  });
+  const SomeFaces part[] = {{flat, data.geometry(), {FaceId(0)}}};
+  EXPECT_THROW(exact_area(part), InternalError);
+}
+
 TEST(Measure, TheSameForAnyNumberOfThreads) {
   const Solid ball = sphere(1, 200, 100);
   const Solid both = boolean(ball, transformed(ball, Transform::translation({0.5, 0.25, 0.125})),
