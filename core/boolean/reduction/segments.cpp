@@ -45,7 +45,7 @@ class EdgeNodes {
   }
 
   /// So many are looked at one by one.
-  static constexpr std::size_t few_nodes = threshold(64, 2);
+  static constexpr std::size_t few_nodes = threshold(16, 2);
 
   /// Of more than a few on an edge, those with a face of few corners, its edges and its vertices;
   /// else as near().
