@@ -5,6 +5,7 @@
 
 #include "geometry/face_predicates.h"
 #include "geometry/kernel.h"
+#include "geometry/seen_loop.h"
 #include "geometry/triangulation.h"
 #include "numbers/threshold.h"
 #include "parallel/parallel.h"
@@ -88,19 +89,34 @@ class FaceCutter {
     }
     const PlaneId plane = brep_.plane[f];
     const int axis = kernel.main_axis(plane);
-    const FacePredicates exact(kernel, axis, kernel.normal(plane, axis) == Sign::negative, points_);
+    const bool behind = kernel.normal(plane, axis) == Sign::negative;
+    if (!cut_as_seen(axis, behind) && !cut_exactly(FacePredicates(kernel, axis, behind, points_)))
+      return false;
+    for (const auto& t : numbers_)
+      result_.triangles.push_back({vertices_[t[0]], vertices_[t[slot_.turned ? 2 : 1]],
+                                   vertices_[t[slot_.turned ? 1 : 2]]});
+    result_.face_end.push_back(static_cast<std::uint32_t>(result_.triangles.size()));
+    return true;
+  }
+
+  // What is left after each ear is a loop, so all sides are matched.
+  bool cut_as_seen(int axis, bool behind) {
+    numbers_.clear();
+    if (ends_.size() != 1 || ends_[0] > SeenLoop::most_corners) return false;
+    const Geometry& geometry = slot_.block->geometry();
+    SeenLoop loop(axis, behind);
+    for (const PointId p : points_) loop.add(geometry.position(p));
+    return EarClipping(loop, ends_[0]).run(numbers_) &&
+           !any_sliver(loop, std::span(std::as_const(numbers_)));
+  }
+  bool cut_exactly(const FacePredicates& exact) {
     numbers_.clear();
     try {
       triangulate_in_shape(exact, std::span<const std::uint32_t>(ends_), numbers_);
     } catch (const InternalError&) {  // the loops bound no simple region
       return false;
     }
-    if (!all_matched()) return false;
-    for (const auto& t : numbers_)
-      result_.triangles.push_back({vertices_[t[0]], vertices_[t[slot_.turned ? 2 : 1]],
-                                   vertices_[t[slot_.turned ? 1 : 2]]});
-    result_.face_end.push_back(static_cast<std::uint32_t>(result_.triangles.size()));
-    return true;
+    return all_matched();
   }
 
   // Each side of a triangle once the other way, on another triangle or, turned, on the border.

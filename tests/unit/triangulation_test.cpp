@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <random>
 #include <set>
 
+#include "geometry/seen_loop.h"
 #include "unit/mesh_regions.h"
 #include "unit/triangulation_check.h"
 
@@ -314,6 +317,38 @@ TEST(triangulation, ten_thousand_holes_in_rows) {
   const Triangles triangles = triangles_of(region);
   EXPECT_EQ(triangles.size(), region.points.size() + 2 * 10000 - 2);
   expect_covers(region, triangles, false);
+}
+
+// Corners far from the origin, of whose places the last bits are lost: up to two units in the last
+// place of each coordinate. Integers count these units.
+TEST(seen_loop, clear_turns_are_those_of_the_places) {
+  std::mt19937 random(3);
+  const auto number = [&](int size) {
+    return std::uniform_int_distribution<std::int64_t>(-size, size)(random);
+  };
+  std::map<int, int> clear, of_all;
+  for (const bool behind : {false, true})
+    for (const int size : {10, 40, 100, 1000, 100'000})
+      for (int i = 0; i < 2000; ++i) {
+        std::array<std::array<std::int64_t, 2>, 3> places;
+        SeenLoop loop(2, behind);
+        for (auto& [x, y] : places) {
+          x = number(size);
+          y = number(size);
+          loop.add({0x1p20 + 0x1p-32 * double(x), -0x1p20 + 0x1p-32 * double(y), 0.3});
+          x += number(2);
+          y += number(2);
+        }
+        const auto& [a, b, c] = places;
+        const std::int64_t turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        const Sign seen = loop.turn(0, 1, 2);
+        ++of_all[size];
+        if (seen == Sign::zero) continue;
+        ++clear[size];
+        EXPECT_EQ(behind ? -seen : seen, sign_of(turn)) << "size " << size;
+      }
+  EXPECT_GT(clear[100'000], 0.9 * of_all[100'000]);
+  EXPECT_LT(clear[10], 0.5 * of_all[10]);
 }
 
 TEST(orientation, touching_loops) {
