@@ -1,7 +1,12 @@
 // Boxes side by side, which are compared with another one at one go.
 #pragma once
 
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
+
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
 
@@ -34,8 +39,12 @@ class FourBoxes {
     const Truths overlap = (low_[0] <= box.high[0]) & (high_[0] >= box.low[0]) &
                            (low_[1] <= box.high[1]) & (high_[1] >= box.low[1]) &
                            (low_[2] <= box.high[2]) & (high_[2] >= box.low[2]);
+#ifdef __SSE__
+    return static_cast<unsigned>(_mm_movemask_ps(std::bit_cast<__m128>(overlap)));
+#else
     const Truths bits = overlap & Truths{1, 2, 4, 8};
     return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
+#endif
   }
 
  private:
