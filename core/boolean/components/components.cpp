@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 #include "boolean/components/free_point.h"
 #include "boolean/components/point_in_solid.h"
@@ -290,12 +291,19 @@ class Labelling {
     const PointId p =
         load_point(slot(s).block->geometry(), brep.point_of(brep.from(h)), w_.geometry);
     w_.kernel->refresh();
-    set_rest(s, f, label_of(p));
+    set_rest(s, f, label_of(std::span(&p, 1)));
   }
 
-  std::uint8_t label_of(PointId p) {
+  // Of what some points lie on, which all lie on one side of the other boundary.
+  std::uint8_t label_of(std::span<const PointId> points) {
+    return label_(operand_, are_inside(points) ? Class::in : Class::out);
+  }
+  bool are_inside(std::span<const PointId> points) {
     if (!is_inside_) is_inside_.emplace(w_, other(operand_));
-    return label_(operand_, (*is_inside_)(p) ? Class::in : Class::out);
+    if (points.size() > 1)
+      for (const PointId p : points)
+        if (const std::optional<bool> is = is_inside_->if_clear(p)) return *is;
+    return (*is_inside_)(points[0]);
   }
 
   Workspace& w_;

@@ -7,6 +7,12 @@
 #include "search/edges_by_line.h"
 
 namespace sectile {
+namespace {
+
+// Of a shell, which takes one as a rule.
+constexpr std::size_t most_points = 4;
+
+}  // namespace
 
 FreePoints::FreePoints(Workspace& w, const Contacts& contacts, Operand operand)
     : w_(w),
@@ -52,21 +58,24 @@ bool FreePoints::are_on_crowded_line(std::initializer_list<PointId> points) cons
   });
 }
 
-PointId FreePoints::on_shell_of(FaceId start) {
+std::vector<PointId> FreePoints::on_shell_of(FaceId start) {
   std::vector<FaceId> front{start};
   std::vector<EdgeId> edges;
   seen_[start] = 1;
-  PointId found;
-  while (!front.empty() && !found.valid()) {
+  std::vector<PointId> found;
+  PointId beyond_end;
+  while (!front.empty() && !beyond_end.valid() && found.size() < most_points) {
     const FaceId face = front.back();
     front.pop_back();
     for_each_in_face(brep_, face, [&](HalfEdgeId h) {
       const VertexId v = brep_.from(h);
       edges.push_back(Brep::edge_of(h));
-      if (!vertex_in_contact_[v]) found = brep_.point_of(v);
+      if (!vertex_in_contact_[v] && std::ranges::find(found, brep_.point_of(v)) == found.end())
+        found.push_back(brep_.point_of(v));
       const FaceId beyond = brep_.face_of(Brep::twin(h));
       if (brep_.kind_of(beyond) == FaceKind::rest) {
-        if (!found.valid()) found = corner_beyond(patch_.half_edge_in_solid[Brep::twin(h)]);
+        if (found.empty() && !beyond_end.valid())
+          beyond_end = corner_beyond(patch_.half_edge_in_solid[Brep::twin(h)]);
       } else if (patch_.is_real(beyond) && !seen_[beyond]) {
         seen_[beyond] = 1;
         front.push_back(beyond);
@@ -74,9 +83,10 @@ PointId FreePoints::on_shell_of(FaceId start) {
     });
   }
   w_.kernel->refresh();
-  if (!found.valid()) found = within_an_edge(edges);
-  if (!found.valid()) throw NoFreePoint("a shell lies on the other boundary without a contact");
-  return found;
+  if (!found.empty()) return found;
+  const PointId only = beyond_end.valid() ? beyond_end : within_an_edge(edges);
+  if (!only.valid()) throw NoFreePoint("a shell lies on the other boundary without a contact");
+  return {only};
 }
 
 // A corner, off the edge, of a face that is not loaded.

@@ -1,4 +1,4 @@
-// A point of a shell that is not on the other boundary.
+// Points of a shell that are not on the other boundary.
 #pragma once
 
 #include <initializer_list>
@@ -21,9 +21,9 @@ class FreePoints {
  public:
   FreePoints(Workspace& w, const Contacts& contacts, Operand operand);
 
-  /// Of the shell to which a loaded face belongs. Adds points, maybe planes, to the geometry. May
-  /// throw NoFreePoint.
-  PointId on_shell_of(FaceId face);
+  /// One or a few of the shell to which a loaded face belongs. Adds points, maybe planes, to the
+  /// geometry. May throw NoFreePoint.
+  std::vector<PointId> on_shell_of(FaceId face);
 
  private:
   void add_crowded_lines();

@@ -45,11 +45,20 @@ PointInSolid::PointInSolid(Workspace& w, Operand operand) : w_(w), operand_(oper
 }
 
 bool PointInSolid::operator()(PointId point) {
+  return *follow_ray(point, false);
+}
+
+std::optional<bool> PointInSolid::if_clear(PointId point) {
+  return follow_ray(point, true);
+}
+
+std::optional<bool> PointInSolid::follow_ray(PointId point, bool only_if_clear) {
   if (!faces_) return w_.tests().side(point, w_.patch[operand_].plane(FaceId(0))) == Sign::negative;
   Group group;
   faces_->start(w_.geometry.position(point));
   while (true) {
     if (!group.empty && (faces_->at_end() || faces_->begin() > group.to)) {
+      if (only_if_clear && !group.unclear.empty()) return {};
       if (const int times = times_left(group, point); times != 0) return times > 0;
       group = {};
     }
