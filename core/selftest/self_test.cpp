@@ -11,6 +11,7 @@
 #include "parallel/parallel.h"
 #include "parallel/scratch.h"
 #include "search/hub_fans.h"
+#include "search/oriented_box.h"
 #include "search/space_partition.h"
 #include "sectile/errors.h"
 #include "selftest/edges_on_line.h"
@@ -89,6 +90,7 @@ class Traversal {
       along_lines_ = HubFans();
     } else {
       space_.emplace(rods(), labels_of_untested());
+      find_oriented_boxes();
     }
     is_crowded_ = false;
     tests_ = node_pairs_ = 0;
@@ -131,7 +133,7 @@ class Traversal {
   void test_cell(const SpacePartition::Cell& cell, Found& found) {
     space_->for_each_pair(cell, [&](std::uint32_t i, std::uint32_t j) {
       const std::uint32_t s = tree_.order()[i], t = tree_.order()[j];
-      if (!hubs_.same(s, t)) test(s, t, found);
+      if (!hubs_.same(s, t) && !apart(oriented_[i], oriented_[j])) test(s, t, found);
     });
   }
 
@@ -257,16 +259,21 @@ class Traversal {
     if (along_lines_.any_lines()) is_crowded_ = true;
   }
 
+  std::array<Vec3, 3> corners(std::uint32_t t) const {
+    std::array<Vec3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = geometry_.position(surface_.corners[t][k]);
+    return corners;
+  }
   // Of the triangles in the order of the tree.
   std::vector<SpacePartition::Rod> rods() const {
     std::vector<SpacePartition::Rod> rods;
     rods.reserve(tree_.order().size());
-    for (const std::uint32_t t : tree_.order()) {
-      std::array<Vec3, 3> corners;
-      for (std::size_t k = 0; k < 3; ++k) corners[k] = geometry_.position(surface_.corners[t][k]);
-      rods.emplace_back(corners);
-    }
+    for (const std::uint32_t t : tree_.order()) rods.emplace_back(corners(t));
     return rods;
+  }
+  // Slivers that all have an end near one line are side by side in cells that no plane divides.
+  void find_oriented_boxes() {
+    for (const std::uint32_t t : tree_.order()) oriented_.emplace_back(corners(t));
   }
   // Two of one label are not tested, or with their fan.
   std::vector<std::uint32_t> labels_of_untested() const {
@@ -344,6 +351,7 @@ class Traversal {
   NodeLabels fans_, settled_;
   TrianglePairs pairs_;
   std::optional<SpacePartition> space_;  // if triangles are crowded
+  std::vector<OrientedBox> oriented_;    // then, in the order of the tree
   std::optional<parallel::Scratch<Found>> found_{std::in_place};
   std::atomic<bool> enough_{false}, looked_for_lines_{false}, is_crowded_{false};
   std::atomic<std::size_t> tests_{0}, node_pairs_{0}, done_{0};
