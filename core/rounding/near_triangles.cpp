@@ -34,8 +34,18 @@ void NearTriangles::build_tree() {
   });
   home_in_tree_ = homes();
   tree_ = BoxTree(box_in_tree_, home_in_tree_);
+  oriented_.clear();
+  if (are_mostly_empty(box_in_tree_))
+    for (std::uint32_t t = 0; t < count; ++t) oriented_.push_back(oriented_box(t));
   is_changed_.assign(count, 0);
   recent_.clear();
+}
+
+OrientedBox NearTriangles::oriented_box(std::uint32_t triangle) const {
+  std::array<Vec3, 3> at;
+  for (std::size_t k = 0; k < 3; ++k)
+    at[k] = rounded_.geometry.position(rounded_.surface.corners[triangle][k]);
+  return OrientedBox(at);
 }
 
 // Empty if there are none.
@@ -46,6 +56,11 @@ std::vector<std::uint32_t> NearTriangles::homes() const {
   homes.resize(rounded_.corners.size());
   for (std::uint32_t t = 0; t < homes.size(); ++t) homes[t] = cones_->home(t);
   return homes;
+}
+
+void NearTriangles::renew(std::uint32_t triangle) {
+  box_[triangle] = make_box(triangle, 0);
+  if (!oriented_.empty()) oriented_[triangle] = oriented_box(triangle);
 }
 
 void NearTriangles::begin(std::span<const std::uint32_t> triangles) {

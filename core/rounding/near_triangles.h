@@ -9,6 +9,7 @@
 #include "rounding/rounded_surface.h"
 #include "rounding/touching_cones.h"
 #include "search/box_tree.h"
+#include "search/oriented_box.h"
 
 namespace sectile {
 
@@ -33,7 +34,7 @@ class NearTriangles {
   /// These triangles are about to change.
   void begin(std::span<const std::uint32_t> triangles);
   /// A triangle has changed.
-  void renew(std::uint32_t triangle) { box_[triangle] = make_box(triangle, 0); }
+  void renew(std::uint32_t triangle);
   /// The changes since begin() stay, or were undone.
   void keep();
   void undo();
@@ -42,6 +43,7 @@ class NearTriangles {
   Box make_box(std::uint32_t triangle, double room) const;
   void build_tree();
   std::vector<std::uint32_t> homes() const;
+  OrientedBox oriented_box(std::uint32_t triangle) const;
   bool is_where_tree_has_it(std::uint32_t triangle) const;
 
   const RoundedSurface& rounded_;
@@ -49,6 +51,7 @@ class NearTriangles {
   double room_ = 0;
   BoxTree tree_;                             // groups: sites of cones
   std::vector<Box> box_, box_in_tree_;       // per triangle
+  std::vector<OrientedBox> oriented_;        // the same, if boxes are mostly empty
   std::vector<std::uint32_t> home_in_tree_;  // per triangle
   std::vector<std::uint8_t> is_changed_;     // not as the tree has it
   std::vector<std::uint32_t> recent_;        // the same as a list
@@ -59,14 +62,16 @@ class NearTriangles {
 template <class Visit>
 void NearTriangles::for_each(std::uint32_t triangle, const Visit& visit) const {
   const Box& own = box_[triangle];
+  std::span<const TouchingCones::Member> around;
+  if (cones_ != nullptr) around = cones_->cones_around(triangle);
   const auto visit_near = [&](std::uint32_t t) {
-    if (t != triangle && rounded_.alive[t] != 0 && box_[t].overlaps(own)) visit(t);
+    if (t == triangle || rounded_.alive[t] == 0 || !box_[t].overlaps(own)) return;
+    if (!oriented_.empty() && apart(oriented_[triangle], oriented_[t])) return;
+    if (around.empty() || !cones_->are_apart(around, t)) visit(t);
   };
   const auto visit_unchanged = [&](std::uint32_t t) {
     if (is_changed_[t] == 0) visit_near(t);
   };
-  std::span<const TouchingCones::Member> around;
-  if (cones_ != nullptr) around = cones_->cones_around(triangle);
   tree_.query([&](const Box& b) { return b.overlaps(own); }, visit_unchanged,
               [&](std::uint32_t site) {
                 return std::any_of(around.begin(), around.end(),

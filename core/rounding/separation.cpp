@@ -18,8 +18,11 @@ constexpr double greatest_reach = 64;
 // So many pairs of triangles are tested, and so many more for each vertex, before only places in
 // the vertex's cone are looked at.
 constexpr std::uint64_t least_tested = 100000, most_tested_for_each = 64;
+// Lines within a wedge along which numbers are looked for.
+constexpr std::size_t most_ways = 12;
 // Of a step, where numbers are very much nearer to each other than steps.
 constexpr double least_fraction = 0x1p-30;
+constexpr std::uint32_t none = 0xFFFFFFFFu;
 constexpr std::uint64_t no_limit = 0xFFFFFFFFFFFFFFFFu;
 
 std::size_t next(std::size_t k) {
@@ -29,6 +32,19 @@ std::size_t next(std::size_t k) {
 // The corner of a triangle that is at a vertex.
 std::size_t corner_at(const RoundedSurface::Corners& corners, std::uint32_t vertex) {
   return corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
+}
+
+Vec3 sum_of(const std::vector<Vec3>& all) {
+  Vec3 sum{0, 0, 0};
+  for (const Vec3& v : all) sum = {sum.x + v.x, sum.y + v.y, sum.z + v.z};
+  return sum;
+}
+
+// What rounding has left of the middle between two numbers that are not too small, and of a number
+// near it.
+double rest_of_middle(double a, double b, double near) {
+  const double p = a / 2, q = b / 2, sum = p + q, other = sum - p;
+  return (sum - near) + ((p - (sum - other)) + (q - other));
 }
 
 Vec3 middle_of(const Vec3& a, const Vec3& b) {
@@ -41,9 +57,9 @@ Separation::Result Separation::run() {
   find_fans();
   give_fans_vertices();
   find_places();
-  std::vector<PinchedEdge> pinched = pinched_edges();
-  find_cones(pinched);
-  divide_edges(pinched);
+  std::vector<CommonEdge> common = edges_in_common();
+  find_cones(common);
+  divide_edges(common);
   std::vector<std::uint32_t> waiting = vertices_to_move();
   if (waiting.empty()) return {};
   for (const Located& l : located_) ++many_[l.place];
@@ -54,6 +70,7 @@ Separation::Result Separation::run() {
   waiting = move_all(changes, std::move(waiting));
   std::size_t most = 1;
   for_each_touching([&](std::span<const Located> there) { most = std::max(most, there.size()); });
+  for (const CommonEdge& edge : common) most = std::max(most, edge.wedges.size());
   return {moved_, most, move_out_of_cones(changes, waiting)};
 }
 
@@ -109,23 +126,36 @@ std::uint32_t Separation::add_vertex(PointId point, const Vec3& origin, bool is_
   return static_cast<std::uint32_t>(rounded_.point.size() - 1);
 }
 
-std::vector<Separation::PinchedEdge> Separation::pinched_edges() const {
-  std::vector<Edge> edges;
+// Of wedges that have both ends in common places. Those that have both vertices in common are to be
+// divided.
+std::vector<Separation::CommonEdge> Separation::edges_in_common() const {
+  std::vector<std::uint32_t> place(rounded_.point.size(),
+                                   none);  // where there are several vertices
+  std::uint32_t count = 0;
+  for_each_touching([&](std::span<const Located> there) {
+    for (const Located& l : there) place[l.vertex] = count;
+    ++count;
+  });
+  std::vector<std::pair<std::array<std::uint32_t, 2>, Edge>> edges;  // by places, or vertices
   for (std::uint32_t t = 0; t < rounded_.corners.size(); ++t)
     for (std::uint32_t k = 0; rounded_.alive[t] != 0 && k < 3; ++k) {
       const std::uint32_t a = rounded_.corners[t][k], b = rounded_.corners[t][next(k)];
-      if (a < b) edges.push_back({a, b, t, k});
+      const std::array<std::uint32_t, 2> ends{place[a] == none ? count + a : place[a],
+                                              place[b] == none ? count + b : place[b]};
+      if (ends[0] < ends[1]) edges.push_back({ends, {a, b, t, k}});
     }
   std::sort(edges.begin(), edges.end());
-  std::vector<PinchedEdge> pinched;
+  std::vector<CommonEdge> common;
   for (auto from = edges.begin(), to = from; from != edges.end(); from = to) {
-    for (; to != edges.end() && to->low == from->low && to->high == from->high;) ++to;
-    if (to - from > 1) pinched.push_back({{from, to}, {}});
+    for (; to != edges.end() && to->first == from->first;) ++to;
+    if (to - from < 2) continue;
+    CommonEdge& edge = common.emplace_back();
+    for (auto e = from; e != to; ++e) edge.wedges.push_back(e->second);
   }
-  return pinched;
+  return common;
 }
 
-void Separation::find_cones(std::vector<PinchedEdge>& edges) {
+void Separation::find_cones(std::vector<CommonEdge>& edges) {
   kernel_.refresh();
   std::vector<TouchingCones::Corner> corners;
   for_each_touching([&](std::span<const Located> there) {
@@ -133,7 +163,7 @@ void Separation::find_cones(std::vector<PinchedEdge>& edges) {
     for (const Located& l : there) corners.push_back(l.corner);
     cones_.add_place(corners);
   });
-  for (PinchedEdge& edge : edges) {
+  for (CommonEdge& edge : edges) {
     corners.clear();
     for (const Edge& e : edge.wedges) corners.push_back({e.triangle, e.k});
     edge.cones = cones_.add_edge(corners);
@@ -141,12 +171,18 @@ void Separation::find_cones(std::vector<PinchedEdge>& edges) {
   cones_.find_members();
 }
 
-// All wedges but the first one get a vertex between the ends.
-void Separation::divide_edges(const std::vector<PinchedEdge>& edges) {
-  for (const PinchedEdge& edge : edges)
+// All wedges but the first one between two vertices get one between the ends.
+void Separation::divide_edges(const std::vector<CommonEdge>& edges) {
+  for (const CommonEdge& edge : edges)
     for (std::size_t i = 1; i < edge.wedges.size(); ++i) {
+      const Edge &before = edge.wedges[i - 1], &wedge = edge.wedges[i];
+      if (wedge.low != before.low || wedge.high != before.high) continue;
       const std::uint32_t middle = divide(triangle_with(edge.wedges[i]), edge.wedges[i].k);
+      const Vec3 &a = rounded_.position(wedge.low), &b = rounded_.position(wedge.high),
+                 &m = rounded_.position(middle);
       middles_.push_back(middle);
+      to_edge_.push_back({rest_of_middle(a.x, b.x, m.x), rest_of_middle(a.y, b.y, m.y),
+                          rest_of_middle(a.z, b.z, m.z)});
       if (edge.cones[i].site != TouchingCones::none) cones_.put_on_edge(middle, edge.cones[i]);
     }
 }
@@ -255,19 +291,24 @@ double Separation::leaving(double from, double way) const {
   return to;
 }
 
-// Towards the middle of the neighbours, which is where a wedge has most room, and to the 26 places
-// around; the nearest first.
-std::vector<Vec3> Separation::places_near(const LocalChanges& changes, std::uint32_t vertex,
-                                          double step) const {
+// To the neighbours: their sum is towards where a wedge has most room.
+std::vector<Vec3> Separation::ways_from(const LocalChanges& changes, std::uint32_t vertex) const {
   const Vec3 at = rounded_.position(vertex);
-  Vec3 way{0, 0, 0};
+  std::vector<Vec3> ways;
   for (const std::uint32_t t : changes.star(vertex))
     for (const std::uint32_t v : rounded_.corners[t]) {
       const Vec3& p = rounded_.position(v);
       const double away = std::hypot(p.x - at.x, p.y - at.y, p.z - at.z);
-      if (away == 0) continue;
-      way = {way.x + (p.x - at.x) / away, way.y + (p.y - at.y) / away, way.z + (p.z - at.z) / away};
+      if (away > 0) ways.push_back({(p.x - at.x) / away, (p.y - at.y) / away, (p.z - at.z) / away});
     }
+  return ways;
+}
+
+// Towards the middle of the neighbours, and to the 26 places around; the nearest first.
+std::vector<Vec3> Separation::places_near(const LocalChanges& changes, std::uint32_t vertex,
+                                          double step) const {
+  const Vec3 at = rounded_.position(vertex);
+  Vec3 way = sum_of(ways_from(changes, vertex));
   const double size = std::hypot(way.x, way.y, way.z);
   std::vector<Vec3> places;
   if (size > 0) {
@@ -280,6 +321,24 @@ std::vector<Vec3> Separation::places_near(const LocalChanges& changes, std::uint
     for (const double j : {0, -1, 1})
       for (const double k : {0, -1, 1})
         places.push_back(grid_.nearest({at.x + i * step, at.y + j * step, at.z + k * step}));
+  return places;
+}
+
+// Within a thin wedge there are numbers only here and there: those nearest to some lines between
+// its neighbours, from half of the way on that is twice as far as what was looked at before.
+std::vector<Vec3> Separation::places_within(const LocalChanges& changes, std::uint32_t vertex,
+                                            double step, double reach) const {
+  const Vec3 at = rounded_.position(vertex);
+  const std::vector<Vec3> ways = ways_from(changes, vertex);
+  const Vec3 amid = sum_of(ways), edge = to_edge(vertex);
+  std::vector<Vec3> places;
+  for (double far = std::floor(reach / 2) + 1; far <= reach; ++far)
+    for (std::size_t i = 0; i < std::min(ways.size(), most_ways); ++i) {
+      const Vec3 way{amid.x + ways[i].x, amid.y + ways[i].y, amid.z + ways[i].z};
+      const double of = far * step / std::hypot(way.x, way.y, way.z);
+      places.push_back(grid_.nearest({at.x + (edge.x + of * way.x), at.y + (edge.y + of * way.y),
+                                      at.z + (edge.z + of * way.z)}));
+    }
   return places;
 }
 
@@ -351,17 +410,20 @@ bool Separation::move_apart(LocalChanges& changes, std::uint32_t vertex, double 
   const auto goes_steps = [&](double of) {
     return goes(reach * of) || (reach > 1 && goes(of / (reach * reach)));
   };
-  return (fraction > step && goes_steps(fraction)) || goes_steps(step);
+  return (fraction > step && goes_steps(fraction)) || goes_steps(step) ||
+         (!may_leave_cone(changes, vertex) &&
+          move_to_one_of(changes, vertex, places_within(changes, vertex, step, reach)));
 }
 
 bool Separation::move_to_one_of(LocalChanges& changes, std::uint32_t vertex,
                                 const std::vector<Vec3>& places) {
   const Place before = place(vertex);
+  const Vec3 at = rounded_.position(vertex), edge = to_edge(vertex);
   for (const Vec3& to : places) {
-    if (many_[{to.x + 0.0, to.y + 0.0, to.z + 0.0}] > 0) continue;
     const bool must_stay = !may_leave_cone(changes, vertex);
-    if (must_stay && !cones_.seems_inside(vertex, rounded_.position(vertex), to)) continue;
-    if (!changes.move(vertex, to)) continue;
+    const Vec3 way{to.x - at.x - edge.x, to.y - at.y - edge.y, to.z - at.z - edge.z};
+    if (must_stay && !cones_.seems_inside(vertex, way)) continue;
+    if (is_taken(to) || !changes.move(vertex, to)) continue;
     if ((must_stay && !cones_.has_moved_inside()) || !changes.is_free()) {
       changes.undo();
       continue;
@@ -373,6 +435,18 @@ bool Separation::move_to_one_of(LocalChanges& changes, std::uint32_t vertex,
     return true;
   }
   return false;
+}
+
+// From where a vertex is to the place or the edge that its wedge has there.
+Vec3 Separation::to_edge(std::uint32_t vertex) const {
+  const auto at = std::lower_bound(middles_.begin(), middles_.end(), vertex);
+  if (at == middles_.end() || *at != vertex) return {0, 0, 0};
+  return to_edge_[static_cast<std::size_t>(at - middles_.begin())];
+}
+
+bool Separation::is_taken(const Vec3& p) const {
+  const auto at = many_.find({p.x + 0.0, p.y + 0.0, p.z + 0.0});
+  return at != many_.end() && at->second > 0;
 }
 
 bool Separation::may_leave_cone(const LocalChanges& changes, std::uint32_t vertex) const {

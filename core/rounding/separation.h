@@ -32,7 +32,7 @@ class Separation {
 
   struct Result {
     std::size_t moved = 0;               ///< vertices
-    std::size_t most_at_a_place = 1;     ///< before
+    std::size_t most_at_a_place = 1;     ///< or along an edge, before
     std::vector<std::uint32_t> cramped;  ///< vertices that touch others still: there is no room
   };
   Result run();
@@ -50,8 +50,8 @@ class Separation {
     TouchingCones::Corner corner;  // of a triangle there
   };
 
-  /// Wedges that have both ends of an edge in common.
-  struct PinchedEdge {
+  /// Wedges that have the places of both ends of an edge in common.
+  struct CommonEdge {
     std::vector<Edge> wedges;
     std::vector<TouchingCones::Member> cones;  // of the wedges
   };
@@ -59,9 +59,9 @@ class Separation {
   void find_fans();
   void find_places();
   void give_fans_vertices();
-  std::vector<PinchedEdge> pinched_edges() const;
-  void find_cones(std::vector<PinchedEdge>& edges);
-  void divide_edges(const std::vector<PinchedEdge>& edges);
+  std::vector<CommonEdge> edges_in_common() const;
+  void find_cones(std::vector<CommonEdge>& edges);
+  void divide_edges(const std::vector<CommonEdge>& edges);
   std::uint32_t triangle_with(const Edge& edge) const;
   std::uint32_t divide(std::uint32_t s, std::size_t j);
   void divide_half(std::uint32_t t, std::size_t k, std::uint32_t middle);
@@ -79,8 +79,13 @@ class Separation {
   bool may_leave_cone(const LocalChanges& changes, std::uint32_t vertex) const;
   double step_around(const LocalChanges& changes, std::uint32_t vertex) const;
   double leaving(double from, double way) const;
+  std::vector<Vec3> ways_from(const LocalChanges& changes, std::uint32_t vertex) const;
   std::vector<Vec3> places_near(const LocalChanges& changes, std::uint32_t vertex,
                                 double step) const;
+  std::vector<Vec3> places_within(const LocalChanges& changes, std::uint32_t vertex, double step,
+                                  double reach) const;
+  bool is_taken(const Vec3& place) const;
+  Vec3 to_edge(std::uint32_t vertex) const;
   Place place(std::uint32_t vertex) const {
     const Vec3& p = rounded_.position(vertex);
     return {p.x + 0.0, p.y + 0.0, p.z + 0.0};
@@ -94,6 +99,7 @@ class Separation {
   std::vector<std::uint32_t> fan_;      // per corner of a triangle: the least one around the vertex
   std::vector<Located> located_;        // all vertices but for middles, ascending
   std::vector<std::uint32_t> middles_;  // of divided edges, ascending
+  std::vector<Vec3> to_edge_;           // from each of them, where it is at first
   std::map<std::uint32_t, std::vector<std::uint32_t>> cut_off_;  // per triangle: from it
   std::map<std::uint32_t, std::uint32_t> whole_;  // of what was cut off: the triangle
   std::map<Place, std::uint32_t> many_;           // how many vertices there are

@@ -45,7 +45,8 @@ void TouchingCones::add_place(std::span<const Corner> corners) {
   }
   const std::size_t kind = count[1] > count[0] ? 1 : 0;
   if (count[kind] < 2 || fans.size() - count[kind] > most_others) return;
-  Site site{kind == 0 ? Sign::negative : Sign::positive, {}};
+  Site site;
+  site.inside = kind == 0 ? Sign::negative : Sign::positive;
   std::vector<Fan> others;
   for (std::size_t i = 0; i < fans.size(); ++i)
     if (bounds[i][kind].empty()) others.push_back(fans[i]);
@@ -85,6 +86,7 @@ PointId TouchingCones::point_amid(const Fan& fan, Corner corner) {
 // Around a line, wedges have no inside in common, whatever they are.
 std::vector<TouchingCones::Member> TouchingCones::add_edge(std::span<const Corner> wedges) {
   Site site;
+  site.is_edge = true;
   std::vector<Member> cones;
   const auto index = static_cast<std::uint32_t>(sites_.size());
   for (const auto& [triangle, k] : wedges) {
@@ -162,13 +164,17 @@ bool TouchingCones::is_strictly_inside(PointId point, Member member) const {
 // Those of the fans first, so that these are at home there.
 void TouchingCones::find_members() {
   kernel_.refresh();
+  if (empty()) return;
+  memberships_.resize(rounded_.corners.size());
   const auto for_each_cone = [&](const auto& visit) {
     for (std::uint32_t s = 0; s < sites_.size(); ++s)
       for (std::uint32_t c = 0; c < sites_[s].cones.size(); ++c) visit(Member{s, c});
   };
-  for_each_cone([&](Member m) {
-    for (const std::uint32_t t : sites_[m.site].cones[m.cone].fan) add_member(t, m);
-  });
+  for (const bool along_edges : {true, false})
+    for_each_cone([&](Member m) {
+      if (sites_[m.site].is_edge != along_edges) return;
+      for (const std::uint32_t t : sites_[m.site].cones[m.cone].fan) add_member(t, m);
+    });
   for_each_cone([&](Member m) { find_members(m); });
 }
 
@@ -198,11 +204,11 @@ void TouchingCones::add_member(std::uint32_t triangle, Member member) {
 }
 
 void TouchingCones::divide(std::uint32_t triangle, std::uint32_t added) {
-  const auto known = memberships_.find(triangle);
-  if (known == memberships_.end()) return;
-  const Memberships copy = known->second;
+  if (empty()) return;
+  const Memberships copy = memberships_[triangle];
   for (const Member m : copy.cones)
     if (m.site == copy.home) sites_[m.site].cones[m.cone].at_home.push_back(added);
+  memberships_.resize(added + 1);
   memberships_[added] = copy;
 }
 
@@ -211,11 +217,10 @@ std::size_t TouchingCones::cones_beside(std::uint32_t vertex) const {
   return at == cone_at_.end() ? 0 : sites_[at->second.site].cones.size() - 1;
 }
 
-bool TouchingCones::seems_inside(std::uint32_t vertex, const Vec3& from, const Vec3& to) const {
+bool TouchingCones::seems_inside(std::uint32_t vertex, Vec3 way) const {
   const Member own = cone_at_.at(vertex);
   const Site& site = sites_[own.site];
   const std::vector<PlaneId>& planes = site.cones[own.cone].planes;
-  Vec3 way{to.x - from.x, to.y - from.y, to.z - from.z};
   // Products with the least doubles would be zero.
   const double size = std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
   way = {way.x / size, way.y / size, way.z / size};
@@ -230,6 +235,8 @@ bool TouchingCones::seems_inside(std::uint32_t vertex, const Vec3& from, const V
 // and the wedge between them must be convex. An edge across the tip of a fan is on no such line.
 void TouchingCones::note_move(std::uint32_t vertex, std::span<const std::uint32_t> star) {
   moving_.clear();
+  has_moved_inside_ = false;
+  if (empty()) return;
   const auto at = cone_at_.find(vertex);
   const Member own = at == cone_at_.end() ? Member{none, none} : at->second;
   has_moved_inside_ = own.site != none && is_strictly_inside(rounded_.point[vertex], own);
@@ -243,21 +250,21 @@ void TouchingCones::note_move(std::uint32_t vertex, std::span<const std::uint32_
     return is;
   };
   for (const std::uint32_t t : star) {
-    const auto known = memberships_.find(t);
-    if (known == memberships_.end()) continue;
+    const Memberships& known = memberships_[t];
+    if (known.cones.empty()) continue;
     Memberships& left = moving_[t];
-    for (const Member m : known->second.cones) {
-      if (!is_inside(m) || (m != own && !bends_towards_mate(vertex, t, m))) continue;
+    for (const Member m : known.cones) {
+      if (!is_inside(m) ||
+          (m != own && !sites_[m.site].is_edge && !bends_towards_mate(vertex, t, m)))
+        continue;
       left.cones.push_back(m);
-      if (m.site == known->second.home) left.home = m.site;
+      if (m.site == known.home) left.home = m.site;
     }
   }
 }
 
 bool TouchingCones::is_member(std::uint32_t triangle, Member member) const {
-  const auto known = memberships_.find(triangle);
-  if (known == memberships_.end()) return false;
-  const std::vector<Member>& cones = known->second.cones;
+  const std::vector<Member>& cones = memberships_[triangle].cones;
   return std::find(cones.begin(), cones.end(), member) != cones.end();
 }
 
@@ -277,16 +284,25 @@ void TouchingCones::keep_move() {
 }
 
 std::span<const TouchingCones::Member> TouchingCones::cones_around(std::uint32_t triangle) const {
-  if (const auto at = moving_.find(triangle); at != moving_.end()) return at->second.cones;
-  const auto known = memberships_.find(triangle);
-  if (known == memberships_.end()) return {};
-  return known->second.cones;
+  if (empty()) return {};
+  if (!moving_.empty())
+    if (const auto at = moving_.find(triangle); at != moving_.end()) return at->second.cones;
+  return memberships_[triangle].cones;
+}
+
+bool TouchingCones::are_apart(std::span<const Member> cones, std::uint32_t triangle) const {
+  if (cones.empty()) return false;
+  const std::span<const Member> others = cones_around(triangle);
+  return std::any_of(cones.begin(), cones.end(), [&](Member m) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](Member n) { return m.site == n.site && m.cone != n.cone; });
+  });
 }
 
 std::uint32_t TouchingCones::home(std::uint32_t triangle) const {
+  if (empty()) return none;
   if (const auto at = moving_.find(triangle); at != moving_.end()) return at->second.home;
-  const auto known = memberships_.find(triangle);
-  return known == memberships_.end() ? none : known->second.home;
+  return memberships_[triangle].home;
 }
 
 }  // namespace sectile

@@ -50,8 +50,9 @@ class TouchingCones {
   /// How many cones touch the one of which a vertex is the tip, or on whose edge it is.
   std::size_t cones_beside(std::uint32_t vertex) const;
 
-  /// Does a vertex seem to come into the cone of which it is the tip? Doubles are asked.
-  bool seems_inside(std::uint32_t vertex, const Vec3& from, const Vec3& to) const;
+  /// Does a vertex that goes some way from the tip of its cone, or from its edge, seem to come into
+  /// the cone? Doubles are asked.
+  bool seems_inside(std::uint32_t vertex, Vec3 way) const;
 
   /// A vertex, around which there are these triangles, is at another place.
   void note_move(std::uint32_t vertex, std::span<const std::uint32_t> star);
@@ -63,6 +64,8 @@ class TouchingCones {
 
   /// The cones that a triangle lies in, also while a vertex of it moves.
   std::span<const Member> cones_around(std::uint32_t triangle) const;
+  /// Is a triangle in another cone of one of the sites of some cones?
+  bool are_apart(std::span<const Member> cones, std::uint32_t triangle) const;
   /// One of its sites, the same until it is not in the cone there any more; then, or if it has no
   /// site: none.
   std::uint32_t home(std::uint32_t triangle) const;
@@ -80,6 +83,7 @@ class TouchingCones {
   };
   struct Site {
     Sign inside = Sign::negative;  // of all planes
+    bool is_edge = false;
     std::vector<Cone> cones;
   };
   using Fan = std::vector<std::uint32_t>;  // triangles, each a neighbour of the one before it
@@ -104,9 +108,9 @@ class TouchingCones {
   RoundedSurface& rounded_;
   Kernel& kernel_;
   std::vector<Site> sites_;
-  std::unordered_map<std::uint32_t, Memberships> memberships_;  // per triangle
-  std::unordered_map<std::uint32_t, Member> cone_at_;           // per vertex: where it is the tip
-  std::unordered_map<std::uint32_t, Memberships> moving_;       // per triangle that moves
+  std::vector<Memberships> memberships_;                   // per triangle, if there are sites
+  std::unordered_map<std::uint32_t, Member> cone_at_;      // per vertex: where it is the tip
+  std::unordered_map<std::uint32_t, Memberships> moving_;  // per triangle that moves
   bool has_moved_inside_ = false;
 };
 

@@ -71,6 +71,37 @@ TEST(Growth, BouquetsThatShareTheirCorner) {
             n_log_n);
 }
 
+// n of them around a point on a ground, all turned by so much of a step.
+Solid spikes_on_the_ground(std::size_t n, double turn) {
+  PolygonMesh mesh;
+  const double step = 2 * std::numbers::pi / static_cast<double>(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a = step * (static_cast<double>(i) + turn), b = a + 0.4 * step, c = a + 0.2 * step;
+    const auto o = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {{0, 0, 0},
+                                                 {std::cos(a), std::sin(a), 0},
+                                                 {std::cos(b), std::sin(b), 0},
+                                                 {std::cos(c), std::sin(c), 0.01}});
+    add({o, o + 2, o + 1}, mesh);
+    add({o, o + 1, o + 3}, mesh);
+    add({o + 1, o + 2, o + 3}, mesh);
+    add({o + 2, o, o + 3}, mesh);
+  }
+  return Solid::from_mesh(mesh);
+}
+
+// A ray along the ground comes near to very many of them.
+TEST(Growth, SpikesOnTheGroundBetweenEachOther) {
+  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract})
+    EXPECT_LT(growth(
+                  [&](std::size_t n) {
+                    const Solid a = spikes_on_the_ground(n, 0), b = spikes_on_the_ground(n, 0.5);
+                    return [=] { boolean(a, b, operation); };
+                  },
+                  50),
+              n_log_n);
+}
+
 TEST(Growth, ImportOfABouquet) {
   EXPECT_LT(growth([](std::size_t n) { return [n] { bouquet(n); }; }, 250), n_log_n);
 }
@@ -128,6 +159,47 @@ double growth_of_separation(const std::function<Solid(std::size_t)>& make, std::
 TEST(Growth, SeparationOfABook) {
   EXPECT_LT(growth_of_separation([](std::size_t n) { return Solid::from_mesh(book(n)); }, 200),
             n_log_n);
+}
+
+// Where there are few numbers in thin walls.
+Transform aslant() {
+  return Transform::translation({0.3, 0.2, 0.1}) * Transform::rotation_degrees({1, 0.3, 0.7}, 20);
+}
+
+TEST(Growth, SeparationOfASlantedBook) {
+  EXPECT_LT(
+      growth_of_separation(
+          [](std::size_t n) { return transformed(Solid::from_mesh(book(n)), aslant()); }, 100),
+      n_log_n);
+}
+
+// Both ends of the edge are in one fan each.
+Solid book_between_floors(std::size_t n) {
+  const Solid floors =
+      boolean(block({-2, -2, -1}, {2, 2, 0}), block({-2, -2, 1}, {2, 2, 2}), Operation::unite);
+  return boolean(floors, Solid::from_mesh(book(n)), Operation::unite);
+}
+
+// Each wall is tested against all that has the end of the line in common on the floors: that takes
+// the square of n.
+TEST(Growth, SeparationOfABookBetweenFloors) {
+  EXPECT_LT(growth_of_separation(book_between_floors, 50), 1.75);
+}
+
+TEST(Growth, SeparationOfASlantedBookBetweenFloors) {
+  EXPECT_LT(growth_of_separation(
+                [](std::size_t n) { return transformed(book_between_floors(n), aslant()); }, 50),
+            1.5);
+}
+
+// Each wall is cut at the ends of all others: there are n² corners on the line.
+TEST(Growth, SeparationOfASlantedBookWhoseWallsAllEndElsewhere) {
+  EXPECT_LT(growth_of_separation(
+                [](std::size_t n) {
+                  return transformed(Solid::from_mesh(book(n, 1e-4, 1e-4)), aslant());
+                },
+                10),
+            3.3);
 }
 
 TEST(Growth, SeparationOfABouquet) {
