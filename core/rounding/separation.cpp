@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "numbers/threshold.h"
 #include "rounding/rounding_repair.h"
 #include "sectile/errors.h"
 
@@ -17,7 +18,8 @@ namespace {
 constexpr double greatest_reach = 64;
 // So many pairs of triangles are tested, and so many more for each vertex, before only places in
 // the vertex's cone are looked at.
-constexpr std::uint64_t least_tested = 100000, most_tested_for_each = 64;
+constexpr std::uint64_t least_tested = threshold<std::uint64_t>(100000, 10),
+                        most_tested_for_each = threshold<std::uint64_t>(64, 1);
 // Lines within a wedge along which numbers are looked for.
 constexpr std::size_t most_ways = 12;
 // Of a step, where numbers are very much nearer to each other than steps.
