@@ -55,7 +55,7 @@ class SeenLoop {
   int u_, v_;
   std::uint32_t size_ = 0;
   double largest_u_ = 0, largest_v_ = 0;
-  std::array<std::array<double, 2>, 12> at_;
+  std::array<std::array<double, 2>, most_corners> at_;
 };
 
 }  // namespace sectile

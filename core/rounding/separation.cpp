@@ -131,8 +131,8 @@ std::uint32_t Separation::add_vertex(PointId point, const Vec3& origin, bool is_
 // Of wedges that have both ends in common places. Those that have both vertices in common are to be
 // divided.
 std::vector<Separation::CommonEdge> Separation::edges_in_common() const {
-  std::vector<std::uint32_t> place(rounded_.point.size(),
-                                   none);  // where there are several vertices
+  // Where there are several vertices.
+  std::vector<std::uint32_t> place(rounded_.point.size(), none);
   std::uint32_t count = 0;
   for_each_touching([&](std::span<const Located> there) {
     for (const Located& l : there) place[l.vertex] = count;

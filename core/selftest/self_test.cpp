@@ -273,6 +273,7 @@ class Traversal {
   }
   // Slivers that all have an end near one line are side by side in cells that no plane divides.
   void find_oriented_boxes() {
+    oriented_.clear();
     for (const std::uint32_t t : tree_.order()) oriented_.emplace_back(corners(t));
   }
   // Two of one label are not tested, or with their fan.

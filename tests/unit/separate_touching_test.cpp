@@ -19,6 +19,7 @@ void expect_manifold(const Solid& solid, std::size_t least_separated) {
     EXPECT_LE(rounded.report.largest_move, 64 * step);
   }
 }
+
 Solid two_cubes(const Vec3& low) {
   return boolean(block({0, 0, 0}, {1, 1, 1}), block(low, {low.x + 1, low.y + 1, low.z + 1}),
                  Operation::unite);

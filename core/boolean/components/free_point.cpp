@@ -70,7 +70,8 @@ std::vector<PointId> FreePoints::on_shell_of(FaceId start) {
     for_each_in_face(brep_, face, [&](HalfEdgeId h) {
       const VertexId v = brep_.from(h);
       edges.push_back(Brep::edge_of(h));
-      if (!vertex_in_contact_[v] && std::ranges::find(found, brep_.point_of(v)) == found.end())
+      if (!vertex_in_contact_[v] && found.size() < most_points &&
+          std::ranges::find(found, brep_.point_of(v)) == found.end())
         found.push_back(brep_.point_of(v));
       const FaceId beyond = brep_.face_of(Brep::twin(h));
       if (brep_.kind_of(beyond) == FaceKind::rest) {
