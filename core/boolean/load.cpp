@@ -128,9 +128,12 @@ FaceId loaded_face(const Patch& patch, FaceId face) {
 
 namespace {
 
-// Those that are asked for are made side by side.
+// Those that nobody has asked for before are made side by side.
 void make_trees(const Workspace& w, const SolidData& solid, std::span<const std::uint32_t> slots) {
-  for_each(w, slots.size(), 16, [&](std::size_t i) { solid.slot(slots[i]).block->tree(); });
+  std::vector<const Block*> without;
+  for (const std::uint32_t s : slots)
+    if (const Block& block = *solid.slot(s).block; !block.has_tree()) without.push_back(&block);
+  for_each(w, without.size(), 4, [&](std::size_t i) { without[i]->tree(); });
 }
 
 // Pairs of faces that may meet, but for those that have a hub in common.

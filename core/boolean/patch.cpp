@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "boolean/collect.h"
 #include "boolean/side_by_side.h"
 #include "geometry/kernel.h"
 #include "numbers/threshold.h"
@@ -302,11 +303,14 @@ PlaneId pinning_plane(Patch& patch, EdgeId e, Geometry& geometry, const Kernel& 
   return brep.edge_plane[e] = made;
 }
 
+// Faces or edges that are looked at by one thread.
+constexpr std::size_t grain = threshold(512, 4);
+
 // Of flat edges only which they are.
 void find_sides(Patch& patch, const Kernel& kernel) {
   const Brep& brep = patch.brep;
-  patch.flat.resize(brep.edge_count());
-  for (const EdgeId e : patch.flat.ids()) {
+  patch.flat.resize_unwritten(brep.edge_count());
+  const auto of_edge = [&](EdgeId e) {
     PlaneId planes[2];
     for (unsigned side = 0; side < 2; ++side) {
       const HalfEdgeId h = Brep::half_edge(e, side);
@@ -316,7 +320,10 @@ void find_sides(Patch& patch, const Kernel& kernel) {
     patch.flat[e] = kernel.parallel(planes[0], planes[1]) ? 1 : 0;
     for (unsigned side = 0; side < 2; ++side)
       patch.side_plane[Brep::half_edge(e, side)] = planes[1 - side];
-  }
+  };
+  parallel::loop(parallel::Range<std::size_t>(0, brep.edge_count(), grain), [&](const auto& some) {
+    for (std::size_t e = some.begin(); e < some.end(); ++e) of_edge(EdgeId(e));
+  });
 }
 
 void pin_flat_edges(Patch& patch, Geometry& geometry, const Kernel& kernel) {
@@ -327,34 +334,47 @@ void pin_flat_edges(Patch& patch, Geometry& geometry, const Kernel& kernel) {
   }
 }
 
-void find_boxes(Patch& patch, const Geometry& geometry, const Kernel& kernel) {
+// Returns those with many corners.
+std::vector<FaceId> find_boxes(Patch& patch, const Geometry& geometry) {
   const Brep& brep = patch.brep;
   patch.face_boxes.resize(patch.loaded_faces);
+  return joined(collect<std::vector<FaceId>>(
+      patch.loaded_faces, grain, [&](std::size_t i, std::vector<FaceId>& with_many_corners) {
+        Bounds bounds;
+        std::size_t count = 0;
+        for_each_in_face(brep, FaceId(i), [&](HalfEdgeId h) {
+          bounds.add(geometry.position(brep.point_of(brep.from(h))));
+          ++count;
+        });
+        patch.face_boxes[i] = bounds.box();
+        if (count >= many_corners) with_many_corners.push_back(FaceId(i));
+      }));
+}
+
+std::unique_ptr<const Patch::Outline> outline_of(const Brep& brep, FaceId face,
+                                                 const Geometry& geometry, int axis) {
   std::vector<Vec3> corners;
   std::vector<std::uint32_t> loop_ends;
-  for (std::size_t i = 0; i < patch.loaded_faces; ++i) {
-    Bounds bounds;
-    std::size_t count = 0;
-    for_each_in_face(brep, FaceId(i), [&](HalfEdgeId h) {
-      bounds.add(geometry.position(brep.point_of(brep.from(h))));
-      ++count;
+  std::vector<HalfEdgeId> half_edges;
+  for (LoopId l = brep.outer_loop[face]; l.valid(); l = brep.next_loop[l]) {
+    for_each_in_loop(brep, l, [&](HalfEdgeId h) {
+      corners.push_back(geometry.position(brep.point_of(brep.from(h))));
+      half_edges.push_back(h);
     });
-    patch.face_boxes[i] = bounds.box();
-    if (count < many_corners) continue;
-    corners.clear();
-    loop_ends.clear();
-    std::vector<HalfEdgeId> half_edges;
-    for (LoopId l = brep.outer_loop[FaceId(i)]; l.valid(); l = brep.next_loop[l]) {
-      for_each_in_loop(brep, l, [&](HalfEdgeId h) {
-        corners.push_back(geometry.position(brep.point_of(brep.from(h))));
-        half_edges.push_back(h);
-      });
-      loop_ends.push_back(static_cast<std::uint32_t>(corners.size()));
-    }
-    patch.outlines.resize(patch.loaded_faces);
-    patch.outlines[i].reset(new Patch::Outline{
-        {corners, loop_ends, kernel.main_axis(patch.plane(FaceId(i)))}, std::move(half_edges)});
+    loop_ends.push_back(static_cast<std::uint32_t>(corners.size()));
   }
+  return std::make_unique<const Patch::Outline>(
+      Patch::Outline{{corners, loop_ends, axis}, std::move(half_edges)});
+}
+
+void make_outlines(Patch& patch, std::span<const FaceId> faces, const Geometry& geometry,
+                   const Kernel& kernel) {
+  if (faces.empty()) return;
+  patch.outlines.resize(patch.loaded_faces);
+  parallel::loop(0, faces.size(), [&](std::size_t i) {
+    patch.outlines[faces[i].value()] =
+        outline_of(patch.brep, faces[i], geometry, kernel.main_axis(patch.plane(faces[i])));
+  });
 }
 
 }  // namespace
@@ -366,7 +386,7 @@ void complete_patches(PerOperand<Patch>& patches, Geometry& geometry, Kernel& ke
     patch.root.resize(patch.brep.face_count());
     for (const FaceId f : patch.root.ids()) patch.root[f] = f;
     find_sides(patch, kernel);
-    find_boxes(patch, geometry, kernel);
+    make_outlines(patch, find_boxes(patch, geometry), geometry, kernel);
   });
   for (Patch& patch : patches) pin_flat_edges(patch, geometry, kernel);
   kernel.refresh();

@@ -79,12 +79,9 @@ void Kernel::refresh() {
   const auto fill = [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) values_[i] = plane_value(geometry_, PlaneId(i));
   };
-  if (count - known < 4096) {
-    fill(known, count);
-  } else {
-    parallel::loop(parallel::Range<std::size_t>(known, count, 4096),
+  if (known < count)
+    parallel::loop(parallel::Range<std::size_t>(known, count, 512),
                    [&](const auto& range) { fill(range.begin(), range.end()); });
-  }
   make_room();
 }
 

@@ -127,7 +127,7 @@ class MeshMaker {
   const Geometry& geometry_;
   std::uint32_t origin_;
   const FacesAsRead* read_;
-  std::vector<Vec3> places_;  // of what was read
+  UnsetVector<Vec3> places_;  // of what was read
   bool mirrored_ = false;
   std::vector<FaceSource>& sources_;
   std::vector<std::uint32_t> number_;  // per point: its vertex

@@ -6,7 +6,9 @@
 #include <iterator>
 #include <span>
 #include <utility>
-#include <vector>
+
+#include "numbers/resize_filled.h"
+#include "numbers/unset_vector.h"
 
 namespace sectile {
 
@@ -63,8 +65,8 @@ class Table {
   using value_type = T;
 
   Table() = default;
-  explicit Table(std::size_t size, const T& value = T()) : items_(size, value) {}
-  explicit Table(std::vector<T> items) : items_(std::move(items)) {}
+  explicit Table(std::size_t size, const T& value = T()) { assign(size, value); }
+  explicit Table(UnsetVector<T> items) : items_(std::move(items)) {}
 
   T& operator[](Id id) { return items_[id.value()]; }
   const T& operator[](Id id) const { return items_[id.value()]; }
@@ -95,9 +97,19 @@ class Table {
   T& back() { return items_.back(); }
   const T& back() const { return items_.back(); }
   void reserve(std::size_t size) { items_.reserve(size); }
-  void resize(std::size_t size) { items_.resize(size); }
-  void resize(std::size_t size, const T& value) { items_.resize(size, value); }
-  void assign(std::size_t size, const T& value) { items_.assign(size, value); }
+  void resize(std::size_t size) {
+    if constexpr (std::is_trivially_copyable_v<T>)
+      resize_filled(items_, size, T());
+    else
+      items_.resize(size);
+  }
+  void resize(std::size_t size, const T& value) { resize_filled(items_, size, value); }
+  /// New elements are to be written before anything else is done with them.
+  void resize_unwritten(std::size_t size) { items_.resize(size); }
+  void assign(std::size_t size, const T& value) {
+    items_.clear();
+    resize(size, value);
+  }
   void clear() { items_.clear(); }
 
   auto begin() { return items_.begin(); }
@@ -105,13 +117,13 @@ class Table {
   auto begin() const { return items_.begin(); }
   auto end() const { return items_.end(); }
   /// The elements without their ids.
-  std::vector<T>& items() { return items_; }
-  const std::vector<T>& items() const { return items_; }
+  UnsetVector<T>& items() { return items_; }
+  const UnsetVector<T>& items() const { return items_; }
 
   friend bool operator==(const Table&, const Table&) = default;
 
  private:
-  std::vector<T> items_;
+  UnsetVector<T> items_;
 };
 
 }  // namespace sectile

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,7 @@ class UnsetAllocator : public std::allocator<T> {
 
   template <class Element>
   void construct(Element* at) {
-    ::new (static_cast<void*>(at)) Element;
+    if constexpr (!std::is_trivially_copyable_v<Element>) ::new (static_cast<void*>(at)) Element;
   }
   template <class Element, class... Values>
   void construct(Element* at, Values&&... values) {
@@ -30,7 +31,7 @@ class UnsetAllocator : public std::allocator<T> {
   }
 };
 
-/// Of numbers: elements have no value until they get one.
+/// Of numbers, ids and what consists of these: elements have no value until they get one.
 template <class T>
 using UnsetVector = std::vector<T, UnsetAllocator<T>>;
 

@@ -82,6 +82,7 @@ class Block {
 
   // Found when first asked for, and then kept.
   const FaceTree& tree() const;
+  bool has_tree() const { return tree_once_.done(); }
   const Pieces& pieces() const;
   /// That of a half-edge's face.
   std::uint32_t piece_at(HalfEdgeId h) const {

@@ -37,6 +37,22 @@ TEST(Table, GivesNewElementsTheirIds) {
   EXPECT_EQ(names[names.ids_from(FaceId(1))].back(), "side");
 }
 
+// So many are filled on all cores.
+TEST(Table, FillsVeryManyNewElementsAndNoOthers) {
+  constexpr std::size_t few = 5, many = 1000000;
+  Table<FaceId, EdgeId> edges(few, EdgeId(7));
+  edges[FaceId(2)] = EdgeId(8);
+  edges.resize(many, edges[FaceId(2)]);
+  ASSERT_EQ(edges.size(), many);
+  EXPECT_EQ(edges[FaceId(1)], EdgeId(7));
+  for (const FaceId f : edges.ids_from(FaceId(few))) ASSERT_EQ(edges[f], EdgeId(8));
+  edges.assign(many, EdgeId(9));
+  for (const EdgeId e : edges) ASSERT_EQ(e, EdgeId(9));
+  edges.clear();
+  edges.resize(many);
+  for (const EdgeId e : edges) ASSERT_FALSE(e.valid());
+}
+
 TEST(IdRange, KnowsItsIds) {
   IdRange<EdgeId> range(EdgeId(3), EdgeId(3));
   EXPECT_TRUE(range.empty());

@@ -131,7 +131,8 @@ TEST(TransformedMesh, MirroringTurnsFaces) {
 }
 
 std::vector<FaceSource> sorted_sources(const Solid& solid) {
-  std::vector<FaceSource> sources = solid.data()->brep().source.items();
+  const auto& found = solid.data()->brep().source;
+  std::vector<FaceSource> sources(found.begin(), found.end());
   std::sort(sources.begin(), sources.end());
   return sources;
 }

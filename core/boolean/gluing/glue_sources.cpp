@@ -89,7 +89,7 @@ HalfEdgeId side_half_edge(const HalfPlane& plane, const JoinedCuts& joined) {
 
 void GlueSources::pair_sides(const Neighborhoods& n, std::span<const WedgePair> wedges,
                              const JoinedCuts& joined) {
-  for_each(w_, wedges.size(), 1024, [&](std::size_t i) {
+  for_each(w_, wedges.size(), 8192, [&](std::size_t i) {
     const HalfPlane &p = n.half_planes[wedges[i].first], &q = n.half_planes[wedges[i].second];
     if (!n.carriers[p.carrier].cut) return;  // both sides of one face or edge
     const HalfEdgeId g = side_half_edge(p, joined), h = side_half_edge(q, joined);

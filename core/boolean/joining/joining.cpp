@@ -65,38 +65,26 @@ class Joiner {
   PatchEuler euler_;
 };
 
-PerOperand<Table<FaceId, std::uint8_t>> divided_faces(const Workspace& w, const Neighborhoods& n,
-                                                      const Cuts& cuts,
-                                                      const Table<CarrierId, CutSides>& sides) {
-  PerOperand<Table<FaceId, std::uint8_t>> divided;
-  for (const Operand s : both_operands) {
-    divided[s].resize(w.patch[s].root.size());
-    for (const FaceId root : cuts.bridged[s]) divided[s][root] = 1;
-  }
-  for (const CarrierId id : n.carriers.ids()) {
-    const Carrier& c = n.carriers[id];
-    if (!c.cut) continue;
-    for (const HalfEdgeId h : {sides[id].forward, sides[id].backward})
-      divided[c.operand][w.patch[c.operand].root_of(h)] = 1;
-  }
-  return divided;
-}
-
 }  // namespace
 
 JoinedCuts join_null_edges(Workspace& w, const Neighborhoods& neighborhoods, const Cuts& cuts) {
   JoinedCuts joined;
   joined.sides.resize(neighborhoods.carriers.size());
   for_both_operands(neighborhoods.carriers.size(), [&](Operand s) {
+    const Patch& patch = w.patch[s];
+    Table<FaceId, std::uint8_t>& divided = joined.divided[s];
+    divided.resize(patch.root.size());
+    for (const FaceId root : cuts.bridged[s]) divided[root] = 1;
     for (const CarrierId id : neighborhoods.carriers.ids()) {
       w.check_cancelled();
       const Carrier& carrier = neighborhoods.carriers[id];
       if (!carrier.cut || carrier.operand != s) continue;
       const auto [p, q] = cuts.of_carrier[id];
-      joined.sides[id] = Joiner(w, carrier).join(cuts.ends[p], cuts.ends[q]);
+      const CutSides sides = Joiner(w, carrier).join(cuts.ends[p], cuts.ends[q]);
+      for (const HalfEdgeId h : {sides.forward, sides.backward}) divided[patch.root_of(h)] = 1;
+      joined.sides[id] = sides;
     }
   });
-  joined.divided = divided_faces(w, neighborhoods, cuts, joined.sides);
   settle_face_parts(w, joined.divided);
   settle_far_loops(w, joined.divided);
   return joined;

@@ -69,8 +69,8 @@ class PlaceLeaver {
         plan_(given.plan),
         vertices_(given.vertices) {}
 
-  // True if an end leaves another site than was planned.
-  bool leave_place(std::span<const SiteId> sites, Table<PlannedEndId, Leaving>& leaving) {
+  // The ends at all sites of one place, site by site.
+  std::span<Leaving> leave_place(std::span<const SiteId> sites) {
     patch_ = &w_.patch[plan_.sites[sites[0]].operand];
     sites_here_.clear();
     vertices_here_.clear();
@@ -82,13 +82,10 @@ class PlaceLeaver {
     std::sort(sites_here_.begin(), sites_here_.end());
     corners_known_ = false;
     is_alone_ = sites.size() == 1;
-    bool moved = false;
+    leaving_.clear();
     for (const SiteId s : sites)
-      for (const PlannedEndId end : plan_.sites[s].ends) {
-        leaving[end] = leave(s, end);
-        moved |= leaving[end].end.site != s;
-      }
-    return moved;
+      for (const PlannedEndId end : plan_.sites[s].ends) leaving_.push_back(leave(s, end));
+    return leaving_;
   }
 
  private:
@@ -164,6 +161,7 @@ class PlaceLeaver {
   bool is_alone_ = false;  // there is no other site
   Corners corners_;        // of the vertices here, once somebody asked
   bool corners_known_ = false;
+  std::vector<Leaving> leaving_;
 };
 
 class Ordering {
@@ -172,63 +170,65 @@ class Ordering {
       : given_(given), w_(given.w), kernel_(given.w.tests()), plan_(given.plan) {}
 
   CutOrder run(const SitesByPlace& places) {
-    leave(places);
-    order_.ends.resize(leaving_.size());
-    for_each(w_, order_.at.size(), chunk, [&](std::size_t i) { sort(SiteId(i)); });
+    order_.at.resize_unwritten(plan_.sites.size());
+    order_.ends.resize_unwritten(plan_.ends.size());
+    const auto moved = collect_ranges<std::uint8_t>(
+        w_, places.size(), chunk, [&](std::size_t first, std::size_t last, std::uint8_t& any) {
+          PlaceLeaver leaver(given_);
+          for (std::size_t i = first; i < last; ++i)
+            if (!places[i].empty()) any |= order_place(places[i], leaver.leave_place(places[i]));
+        });
+    if (std::ranges::find(moved, 1) != moved.end()) group_by_site();
     return std::move(order_);
   }
 
  private:
   static constexpr std::size_t chunk = threshold(512, 2);
 
-  void leave(const SitesByPlace& places) {
-    leaving_.resize(plan_.ends.size());
-    const auto moved = collect_ranges<std::uint8_t>(
-        w_, places.size(), chunk, [&](std::size_t first, std::size_t last, std::uint8_t& any) {
-          PlaceLeaver leaver(given_);
-          for (std::size_t i = first; i < last; ++i)
-            if (!places[i].empty()) any |= leaver.leave_place(places[i], leaving_);
-        });
-    order_.at.resize(plan_.sites.size());
-    if (std::ranges::find(moved, 1) != moved.end()) return group_by_site();
-    for (const SiteId s : plan_.sites.ids()) {
+  // Puts the ends at one place, site by site, where those stand that were planned there. True if one
+  // of them leaves another site than was planned.
+  bool order_place(std::span<const SiteId> sites, std::span<Leaving> ends) {
+    const auto site = [](const Leaving& l) { return l.end.site; };
+    const bool moved = std::ranges::any_of(
+        ends, [&](const Leaving& l) { return site(l) != plan_.ends[l.end.planned].site; });
+    if (moved) std::ranges::stable_sort(ends, {}, site);
+    for (std::size_t from = 0, to = 0; from < ends.size(); from = to) {
+      while (to < ends.size() && site(ends[to]) == site(ends[from])) ++to;
+      if (to - from > 1) sort_at_site(site(ends[from]), ends.subspan(from, to - from));
+    }
+    const Leaving* next = ends.data();
+    for (const SiteId s : sites) {
       const IdRange<PlannedEndId>& planned = plan_.sites[s].ends;
       order_.at[s] = {CutEndId(planned.front().value()), CutEndId(planned.end_id().value())};
+      for (const CutEndId end : order_.at[s]) order_.ends[end] = next++->end;
     }
+    return moved;
   }
 
   void group_by_site() {
     Table<SiteId, std::uint32_t> count(plan_.sites.size());
-    for (const Leaving& l : leaving_) ++count[l.end.site];
+    for (const OrderedEnd& end : order_.ends) ++count[end.site];
     CutEndId next(0);
     for (const SiteId s : count.ids()) {
       order_.at[s] = {next, next};
       next = CutEndId(next.value() + count[s]);
     }
-    Table<PlannedEndId, Leaving> grouped(leaving_.size());
-    for (const Leaving& l : leaving_) {
-      IdRange<CutEndId>& here = order_.at[l.end.site];
-      grouped[PlannedEndId(here.end_id().value())] = l;
+    Table<CutEndId, OrderedEnd> grouped(order_.ends.size());
+    for (const OrderedEnd& end : order_.ends) {
+      IdRange<CutEndId>& here = order_.at[end.site];
+      grouped[here.end_id()] = end;
       here.extend();
     }
-    leaving_ = std::move(grouped);
+    order_.ends = std::move(grouped);
   }
 
-  void sort(SiteId s) {
-    const IdRange<CutEndId> range = order_.at[s];
-    if (range.empty()) return;
-    const auto ends = std::span(leaving_.items()).subspan(range.front().value(), range.size());
-    if (range.size() > 1) sort(plan_.sites[s], given_.vertices[s].vertex, ends);
-    std::ranges::transform(ends, order_.ends[range].begin(),
-                           [](const Leaving& l) { return l.end; });
-  }
-
-  void sort(const Site& site, VertexId vertex, std::span<Leaving> ends) const {
+  void sort_at_site(SiteId s, std::span<Leaving> ends) const {
+    const Site& site = plan_.sites[s];
     const Patch& patch = w_.patch[site.operand];
     if (site.entity.is_face()) {
       sort_within_face(patch, site.entity.face(), ends);
     } else {
-      number_corners(patch, vertex, ends);
+      number_corners(patch, given_.vertices[s].vertex, ends);
       sort_around_vertex(patch, ends);
     }
   }
@@ -269,7 +269,6 @@ class Ordering {
   const Kernel& kernel_;
   const CutPlan& plan_;
   CutOrder order_;
-  Table<PlannedEndId, Leaving> leaving_;  // by site, once grouped
 };
 
 }  // namespace

@@ -93,8 +93,8 @@ void reserve(Workspace& w, const CutPlan& plan) {
 
 Cuts in_order(const Workspace& w, const CutPlan& plan, const CutOrder& order) {
   Cuts cuts;
-  cuts.sites.resize(plan.sites.size());
-  cuts.ends.resize(order.ends.size());
+  cuts.sites.resize_unwritten(plan.sites.size());
+  cuts.ends.resize_unwritten(order.ends.size());
   cuts.of_carrier.resize(plan.of_carrier.size());
   for_each(w, plan.sites.size(), 1024, [&](std::size_t i) {
     const SiteId s(i);
