@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "boolean/workspace.h"
+#include "numbers/threshold.h"
+#include "numbers/unset_vector.h"
 #include "parallel/parallel.h"
 
 namespace sectile {
@@ -68,29 +72,53 @@ void for_each(const Workspace& w, std::size_t count, std::size_t size, const Bod
   });
 }
 
-template <class T>
-void append(std::vector<T>& to, const std::vector<T>& from) {
+template <class Vector>
+void append(Vector& to, const std::type_identity_t<Vector>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 /// The first of several is not copied: where little is to be done, there are no others.
-template <class T>
-void append(std::vector<T>& to, std::vector<T>&& from) {
+template <class Vector>
+void append(Vector& to, std::type_identity_t<Vector>&& from) {
   if (to.empty())
     to = std::move(from);
   else
     append(to, std::as_const(from));
 }
 
-/// What was collected, in one.
-template <class T>
-std::vector<T> joined(std::vector<std::vector<T>> parts) {
-  if (parts.size() == 1) return std::move(parts[0]);
-  std::size_t size = 0;
-  for (const std::vector<T>& part : parts) size += part.size();
-  std::vector<T> all;
-  all.reserve(size);
-  for (const std::vector<T>& part : parts) append(all, part);
+/// Where of(part) of each part begins, when all stand one after the other; and the end.
+template <class Part, class Of>
+std::vector<std::uint32_t> begins_of(const std::vector<Part>& parts, const Of& of) {
+  std::vector<std::uint32_t> begin = {0};
+  begin.reserve(parts.size() + 1);
+  for (const Part& part : parts)
+    begin.push_back(begin.back() + static_cast<std::uint32_t>(of(part).size()));
+  return begin;
+}
+
+/// What was collected, in one. The vectors are those of(part).
+template <class Vector, class Part, class Of>
+Vector joined(std::vector<Part>& parts, const Of& of) {
+  if (parts.empty()) return {};
+  if (parts.size() == 1) return std::move(of(parts[0]));
+  const std::vector<std::uint32_t> begin = begins_of(parts, of);
+  Vector all;
+  if constexpr (std::is_same_v<Vector, UnsetVector<typename Vector::value_type>>) {
+    all.resize(begin.back());
+    constexpr std::size_t few = threshold(64, 2);
+    parallel::loop(parallel::Range<std::size_t>(0, parts.size(), few), [&](const auto& some) {
+      for (std::size_t i = some.begin(); i < some.end(); ++i)
+        std::ranges::copy(of(parts[i]), all.begin() + begin[i]);
+    });
+  } else {
+    all.reserve(begin.back());
+    for (Part& part : parts) append(all, of(part));
+  }
   return all;
+}
+template <class Vector>
+Vector joined(std::vector<Vector> parts) {
+  return joined<Vector>(
+      parts, [](auto& part) -> auto& { return part; });
 }
 
 }  // namespace sectile

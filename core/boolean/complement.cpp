@@ -17,11 +17,11 @@ bool is_along(const SegmentRecord& record, const SegmentRecord& other) {
 // A solid meets itself along all of its edges. What is left are the segments in which several of
 // its edges or faces meet.
 void leave_touching_segments(Contacts& contacts) {
-  std::vector<SegmentRecord>& all = contacts.segments;
+  SegmentRecords& all = contacts.segments;
   std::sort(all.begin(), all.end(), [](const SegmentRecord& p, const SegmentRecord& q) {
     return std::tie(p.place[0], p.place[1]) < std::tie(q.place[0], q.place[1]);
   });
-  std::vector<SegmentRecord> touching;
+  SegmentRecords touching;
   for (auto from = all.begin(), to = from; from != all.end(); from = to) {
     to = std::find_if(from, all.end(), [&](const SegmentRecord& r) { return !is_along(r, *from); });
     const Entity first = from->on[Operand::a];

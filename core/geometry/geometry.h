@@ -96,7 +96,7 @@ class Geometry {
   Table<PointId, Vec3> positions;  ///< explicit: exact; others: rounded to nearest
   /// Per point: index into constructions; explicit_point; or moved_point and index into moved.
   Table<PointId, std::uint32_t> construct;
-  std::vector<Construction> constructions;
+  UnsetVector<Construction> constructions;
   std::vector<MovedPoint> moved;
   Table<PlaneId, PlaneDefinition> planes;
   std::vector<PlaneCoefficients> coefficients;

@@ -14,10 +14,10 @@
 
 namespace sectile {
 
-template <class T, class Bucket, class Less>
+template <class Vector, class Bucket, class Less>
 class BucketSort {
  public:
-  BucketSort(std::vector<T>& elements, std::size_t buckets, const Bucket& bucket, const Less& less)
+  BucketSort(Vector& elements, std::size_t buckets, const Bucket& bucket, const Less& less)
       : elements_(elements), buckets_(buckets), bucket_(bucket), less_(less), begin_(buckets + 1) {}
 
   std::vector<std::uint32_t> run() {
@@ -37,6 +37,7 @@ class BucketSort {
   }
 
  private:
+  using T = typename Vector::value_type;
   static constexpr std::size_t parallel_from = threshold(8192, 8),
                                size_of_slice = threshold(8192, 4), most_groups = 512;
 
@@ -79,7 +80,7 @@ class BucketSort {
     }
   }
 
-  std::vector<T>& elements_;
+  Vector& elements_;
   const std::size_t buckets_;
   const Bucket& bucket_;
   const Less& less_;
@@ -92,8 +93,8 @@ class BucketSort {
 /// Sorts by bucket(element), which is less than `buckets`, and elements of one bucket by `less`,
 /// which must leave no two of them equal that can be told apart. Returns where each bucket begins,
 /// and the end.
-template <class T, class Bucket, class Less>
-std::vector<std::uint32_t> bucket_sort(std::vector<T>& elements, std::size_t buckets,
+template <class Vector, class Bucket, class Less>
+std::vector<std::uint32_t> bucket_sort(Vector& elements, std::size_t buckets,
                                        const Bucket& bucket, const Less& less) {
   return BucketSort(elements, buckets, bucket, less).run();
 }

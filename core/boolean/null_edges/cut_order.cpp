@@ -185,8 +185,8 @@ class Ordering {
  private:
   static constexpr std::size_t chunk = threshold(512, 2);
 
-  // Puts the ends at one place, site by site, where those stand that were planned there. True if one
-  // of them leaves another site than was planned.
+  // Puts the ends at one place, site by site, where those stand that were planned there. True if
+  // one of them leaves another site than was planned.
   bool order_place(std::span<const SiteId> sites, std::span<Leaving> ends) {
     const auto site = [](const Leaving& l) { return l.end.site; };
     const bool moved = std::ranges::any_of(

@@ -42,12 +42,12 @@ struct PairOfFaces {
 
 /// The outcome of the tests of all pairs. [s]: the piercer or edge belongs to solid s.
 struct ContactTable {
-  PerOperand<std::vector<Hit>> hits;  ///< ascending by key
+  PerOperand<UnsetVector<Hit>> hits;  ///< ascending by key
   PerOperand<EntityNumbers> numbers;
   PerOperand<std::vector<std::uint32_t>> first_hit;  ///< per number of a piercer, and the end
-  PerOperand<std::vector<InPlane>> in_plane;
-  std::vector<PairOfFaces> pairs;  ///< not separated by one of their planes
-  PerOperand<std::vector<SidedHalfEdge>> sided;
+  PerOperand<UnsetVector<InPlane>> in_plane;
+  UnsetVector<PairOfFaces> pairs;  ///< not separated by one of their planes
+  PerOperand<UnsetVector<SidedHalfEdge>> sided;
 
   /// Where a piercer meets a face; on several entities where the face touches itself.
   std::span<const Hit> find(Operand solid, Entity piercer, FaceId face) const;

@@ -2,12 +2,14 @@
 // of the other that comes near it, once.
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <tuple>
 
 #include "boolean/collect.h"
 #include "boolean/face_location.h"
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
+#include "geometry/constructed_points.h"
 #include "numbers/threshold.h"
 #include "search/bucket_sort.h"
 #include "search/face_corners.h"
@@ -70,11 +72,11 @@ bool sided_half_edges(const Workspace& w, Operand solid, FaceId face, FaceId acr
 }
 
 struct PairOutput {
-  PerOperand<std::vector<Hit>> hits;
-  PerOperand<std::vector<InPlane>> in_plane;
+  PerOperand<UnsetVector<Hit>> hits;
+  PerOperand<UnsetVector<InPlane>> in_plane;
   std::vector<std::pair<EdgeId, EdgeId>> flat_crossings;
-  std::vector<PairOfFaces> pairs;
-  PerOperand<std::vector<SidedHalfEdge>> meeting;
+  UnsetVector<PairOfFaces> pairs;
+  PerOperand<UnsetVector<SidedHalfEdge>> meeting;
   PerOperand<std::vector<SidedHalfEdge>> sided;  // scratch
   PerOperand<std::vector<HalfEdgeId>> flat;      // scratch
   std::vector<Entity> found;                     // scratch
@@ -230,11 +232,8 @@ Construction contact_construction(const Workspace& w, const Contact& contact) {
 }
 
 void make_points(Workspace& w, Table<ContactId, Contact>& contacts) {
-  struct Made {
-    Construction how;
-    ConstructedPoint point;
-  };
-  Table<ContactId, Made> made(contacts.size());
+  Table<ContactId, MadePoint> made;  // of those that have no point yet
+  made.resize_unwritten(contacts.size());
   for_each(w, contacts.size(), 64, [&](std::size_t i) {
     const ContactId id(i);
     Contact& c = contacts[id];
@@ -249,9 +248,13 @@ void make_points(Workspace& w, Table<ContactId, Contact>& contacts) {
     made[id].how = contact_construction(w, c);
     made[id].point = w.tests().construct(made[id].how);
   });
-  for (const ContactId id : contacts.ids())
-    if (!contacts[id].point.valid())
-      contacts[id].point = add_constructed(w.geometry, made[id].how, made[id].point);
+  add_constructed_points(
+      w.geometry, contacts.size(),
+      [&](std::size_t i) {
+        const ContactId id(i);
+        return contacts[id].point.valid() ? nullptr : &std::as_const(made)[id];
+      },
+      [&](std::size_t i, PointId point) { contacts[ContactId(i)].point = point; });
   w.kernel->refresh();
 }
 
@@ -261,53 +264,139 @@ struct Found {
   std::uint32_t order;
 };
 
-// Calls visit(entity of A, entity of B) for what the pairs found, one after the other, and notes
-// the contact that it returns.
-template <class Visit>
-void for_each_found(std::vector<PairOutput>& outputs, const Visit& visit) {
-  for (PairOutput& out : outputs) {
-    for (Hit& hit : out.hits[Operand::a]) hit.contact = visit(hit.piercer, hit.found);
-    for (Hit& hit : out.hits[Operand::b]) hit.contact = visit(hit.found, hit.piercer);
-    for (const auto& [e, f] : out.flat_crossings) visit(e, f);
-  }
-}
+// Contacts are numbered as pairs of faces find them first: what is near in the solids is near in
+// all tables from here on, and so in the caches. What lies within a face is found by one pair only.
+class Numbering {
+ public:
+  Numbering(const EntityNumbers& of_a, std::vector<PairOutput>& outputs)
+      : of_a_(of_a), outputs_(outputs), begins_(outputs.size() + 1), found_before_(begins_) {}
 
-// Per element, by its order: that of the first one with the same entities.
-std::vector<std::uint32_t> first_finds(std::vector<Found> found, const EntityNumbers& of_a) {
-  if (found.empty()) return {};
-  bucket_sort(
-      found, of_a.size(), [&](const Found& f) { return of_a[f.a]; },
-      [](const Found& p, const Found& q) {
-        return std::tie(p.b, p.order) < std::tie(q.b, q.order);
+  Table<ContactId, Contact> run() {
+    find_first_finds();
+    number_first_finds();
+    if (!first_.empty()) number_others();
+    return std::move(contacts_);
+  }
+
+ private:
+  static bool is_found_once(Entity a, Entity b) { return a.is_face() || b.is_face(); }
+
+  // Calls visit(entity of A, entity of B, the contact's number) for what the pairs of an output
+  // found, one after the other.
+  template <class Visit>
+  static void for_each_found(PairOutput& out, const Visit& visit) {
+    ContactId of_crossing;
+    for (Hit& hit : out.hits[Operand::a]) visit(hit.piercer, hit.found, hit.contact);
+    for (Hit& hit : out.hits[Operand::b]) visit(hit.found, hit.piercer, hit.contact);
+    for (const auto& [e, f] : out.flat_crossings) visit(e, f, of_crossing);
+  }
+  template <class Body>
+  void for_each_output(const Body& body) {
+    constexpr std::size_t few = threshold(16, 1);
+    parallel::loop(parallel::Range<std::size_t>(0, outputs_.size(), few), [&](const auto& some) {
+      for (std::size_t i = some.begin(); i < some.end(); ++i) body(i);
+    });
+  }
+  static void add_up(std::vector<std::uint32_t>& counts) {
+    std::exclusive_scan(counts.begin(), counts.end(), counts.begin(), 0u);
+  }
+
+  void find_first_finds() {
+    for_each_output([&](std::size_t i) {
+      for_each_found(outputs_[i], [&](Entity a, Entity b, ContactId&) {
+        ++(is_found_once(a, b) ? begins_ : found_before_)[i];
       });
-  std::vector<std::uint32_t> first(found.size());
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool again = i > 0 && found[i].a == found[i - 1].a && found[i].b == found[i - 1].b;
-    first[found[i].order] = again ? first[found[i - 1].order] : found[i].order;
+    });
+    add_up(found_before_);
+    if (found_before_.back() == 0) return;
+    UnsetVector<Found> found(found_before_.back());
+    for_each_output([&](std::size_t i) {
+      std::uint32_t next = found_before_[i];
+      for_each_found(outputs_[i], [&](Entity a, Entity b, ContactId&) {
+        if (!is_found_once(a, b)) found[next] = {a, b, next}, ++next;
+      });
+    });
+    bucket_sort(
+        found, of_a_.size(), [&](const Found& f) { return of_a_[f.a]; },
+        [](const Found& p, const Found& q) {
+          return std::tie(p.b, p.order) < std::tie(q.b, q.order);
+        });
+    first_.resize(found.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const bool again = i > 0 && found[i].a == found[i - 1].a && found[i].b == found[i - 1].b;
+      first_[found[i].order] = again ? first_[found[i - 1].order] : found[i].order;
+    }
+    number_.resize(found.size());
   }
-  return first;
-}
 
-// Several pairs of faces find a contact, unless it lies within a face. Contacts are numbered as
-// they are found first: what is near in the solids is near in all tables from here on, and so in
-// the caches.
-void number_contacts(const EntityNumbers& of_a, std::vector<PairOutput>& outputs,
-                     Table<ContactId, Contact>& contacts) {
-  const auto is_found_once = [](Entity a, Entity b) { return a.is_face() || b.is_face(); };
-  std::vector<Found> found;
-  for_each_found(outputs, [&](Entity a, Entity b) {
-    if (!is_found_once(a, b)) found.push_back({a, b, static_cast<std::uint32_t>(found.size())});
-    return ContactId();
-  });
-  const std::vector<std::uint32_t> first = first_finds(std::move(found), of_a);
-  std::vector<ContactId> number;
-  number.reserve(first.size());
-  for_each_found(outputs, [&](Entity a, Entity b) {
-    const std::size_t i = number.size();
-    if (is_found_once(a, b)) return contacts.add({{a, b}, {}, {}});
-    number.push_back(first[i] == i ? contacts.add({{a, b}, {}, {}}) : number[first[i]]);
-    return number.back();
-  });
+  void number_first_finds() {
+    const auto for_each_new = [&](std::size_t i, const auto& visit) {
+      std::uint32_t next = found_before_[i];
+      for_each_found(outputs_[i], [&](Entity a, Entity b, ContactId& number) {
+        if (is_found_once(a, b)) return visit(a, b, number);
+        if (first_[next] == next) visit(a, b, number_[next]);
+        ++next;
+      });
+    };
+    add_first_finds();
+    add_up(begins_);
+    contacts_.resize_unwritten(begins_.back());
+    for_each_output([&](std::size_t i) {
+      ContactId next(begins_[i]);
+      for_each_new(i, [&](Entity a, Entity b, ContactId& number) {
+        contacts_[next] = {{a, b}, {}, {}};
+        number = next;
+        next = ContactId(next.value() + 1);
+      });
+    });
+  }
+
+  // To what is found once, in each output.
+  void add_first_finds() {
+    if (first_.empty()) return;
+    for (std::size_t i = 0; i < outputs_.size(); ++i)
+      for (std::uint32_t f = found_before_[i]; f < found_before_[i + 1]; ++f)
+        begins_[i] += first_[f] == f ? 1 : 0;
+  }
+
+  void number_others() {
+    for_each_output([&](std::size_t i) {
+      std::uint32_t next = found_before_[i];
+      for_each_found(outputs_[i], [&](Entity a, Entity b, ContactId& number) {
+        if (!is_found_once(a, b)) number = number_[first_[next++]];
+      });
+    });
+  }
+
+  const EntityNumbers& of_a_;
+  std::vector<PairOutput>& outputs_;
+  std::vector<std::uint32_t> begins_, found_before_;  // per output, and the end
+  // Of what several pairs may find, per element: the first one with the same entities, its number.
+  UnsetVector<std::uint32_t> first_;
+  UnsetVector<ContactId> number_;
+  Table<ContactId, Contact> contacts_;
+};
+
+// What the pairs found, in one; [s] as in the table.
+void join(std::vector<PairOutput>& outputs, ContactTable& table) {
+  for (const Operand s : both_operands) {
+    const auto meeting = [s](auto& out) -> auto& {
+      return out.meeting[s];
+    };
+    const std::vector<std::uint32_t> begin = begins_of(outputs, meeting);
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+      for (PairOfFaces& pair : outputs[i].pairs) {
+        pair.first_sided[s] += begin[i];
+        pair.last_sided[s] += begin[i];
+      }
+    table.sided[s] = joined<UnsetVector<SidedHalfEdge>>(outputs, meeting);
+    table.hits[s] = joined<UnsetVector<Hit>>(
+        outputs, [s](auto& out) -> auto& { return out.hits[s]; });
+    table.in_plane[s] = joined<UnsetVector<InPlane>>(
+        outputs, [s](auto& out) -> auto& { return out.in_plane[s]; });
+  }
+  table.pairs = joined<UnsetVector<PairOfFaces>>(
+      outputs, [](auto& out) -> auto& { return out.pairs; });
 }
 
 void sort_by_piercer(ContactTable& table) {
@@ -341,18 +430,8 @@ ContactTable find_contacts(Workspace& w, const FacePairs& candidates, Contacts& 
       });
   ContactTable table;
   for (const Operand s : both_operands) table.numbers[s] = EntityNumbers(w.patch[s].brep);
-  number_contacts(table.numbers[Operand::a], outputs, found.contacts);
-  for (PairOutput& out : outputs) {
-    for (const Operand s : both_operands) {
-      for (PairOfFaces& pair : out.pairs)
-        for (auto* bound : {&pair.first_sided, &pair.last_sided})
-          (*bound)[s] += static_cast<std::uint32_t>(table.sided[s].size());
-      append(table.sided[s], std::move(out.meeting[s]));
-      append(table.hits[s], std::move(out.hits[s]));
-      append(table.in_plane[s], std::move(out.in_plane[s]));
-    }
-    append(table.pairs, std::move(out.pairs));
-  }
+  found.contacts = Numbering(table.numbers[Operand::a], outputs).run();
+  join(outputs, table);
   sort_by_piercer(table);
   make_points(w, found.contacts);
   find_places(w, ContactId(0), found);

@@ -15,7 +15,7 @@ namespace sectile {
 class CrossingFaces {
  public:
   CrossingFaces(const Workspace& w, const Contacts& found, const ContactTable& table,
-                std::vector<SegmentRecord>& out)
+                SegmentRecords& out)
       : w_(w), kernel_(w.tests()), found_(found), table_(table), out_(out) {}
 
   void operator()(const PairOfFaces& pair);
@@ -65,7 +65,7 @@ class CrossingFaces {
   const Kernel& kernel_;
   const Contacts& found_;
   const ContactTable& table_;
-  std::vector<SegmentRecord>& out_;
+  SegmentRecords& out_;
 
   // Of the pair that is looked at.
   PairOfFaces pair_{};

@@ -34,7 +34,7 @@ class Noding {
   }
 
   // Some records that follow each other, and so are near each other, as a rule.
-  void split(std::span<const SegmentRecord> records, std::vector<SegmentRecord>& out) const {
+  void split(std::span<const SegmentRecord> records, SegmentRecords& out) const {
     const std::vector<PlaceInside> inside = places_inside(records);
     auto from = inside.begin();
     for (std::uint32_t i = 0; i < records.size(); ++i) {
@@ -61,7 +61,7 @@ class Noding {
   }
 
   void split(const SegmentRecord& record, std::span<const PlaceInside> inside,
-             std::vector<SegmentRecord>& out) const {
+             SegmentRecords& out) const {
     PlaceId from = record.place[0];
     PerOperand<Entity> start{record.end[Operand::a][0], record.end[Operand::b][0]};
     for (std::size_t i = 0; i <= inside.size(); ++i) {
@@ -162,10 +162,9 @@ class Noding {
 
 void split_at_places(const Workspace& w, const Clusters& clusters, Contacts& found) {
   const Noding noding(w, found, clusters);
-  using Records = std::vector<SegmentRecord>;
   const std::span<const SegmentRecord> all = found.segments;
-  found.segments = joined(collect_ranges<Records>(
-      w, all.size(), 128, [&](std::size_t first, std::size_t last, Records& out) {
+  found.segments = joined(collect_ranges<SegmentRecords>(
+      w, all.size(), 128, [&](std::size_t first, std::size_t last, SegmentRecords& out) {
         out.reserve(last - first);
         noding.split(all.subspan(first, last - first), out);
       }));

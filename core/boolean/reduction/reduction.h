@@ -11,6 +11,7 @@
 #include "boolean/ids.h"
 #include "boolean/workspace.h"
 #include "numbers/sign.h"
+#include "numbers/unset_vector.h"
 
 namespace sectile {
 
@@ -42,11 +43,13 @@ struct SegmentRecord {
   }
 };
 
+using SegmentRecords = UnsetVector<SegmentRecord>;
+
 /// Where the two boundaries meet.
 struct Contacts {
-  Table<ContactId, Contact> contacts;   ///< as pairs of faces find them, crossings last
-  Table<PlaceId, PointId> places;       ///< the point of each place
-  std::vector<SegmentRecord> segments;  ///< of what shares one, all pairs, or enough of very many
+  Table<ContactId, Contact> contacts;  ///< as pairs of faces find them, crossings last
+  Table<PlaceId, PointId> places;      ///< the point of each place
+  SegmentRecords segments;             ///< of what shares one, all pairs, or enough of very many
 
   PointId point(PlaceId place) const { return places[place]; }
 };

@@ -31,7 +31,7 @@ class RowOfEdges {
   }
 
   // Each record divided at all places, but for pieces that show nothing new.
-  void add_pieces(std::vector<SegmentRecord>& out) {
+  void add_pieces(SegmentRecords& out) {
     show_each(Operand::a);
     show_each(Operand::b);
     std::sort(shown_.begin(), shown_.end());
@@ -109,7 +109,7 @@ bool is_of_edges(const SegmentRecord& r) {
 }
 
 // Edges that share a segment are on one line. The records come by lines.
-std::vector<std::uint32_t> sort_by_line(const Workspace& w, std::vector<SegmentRecord>& records) {
+std::vector<std::uint32_t> sort_by_line(const Workspace& w, SegmentRecords& records) {
   const auto first_of_b = static_cast<std::uint32_t>(w.patch[Operand::a].brep.edge_count());
   DisjointSets lines(first_of_b + w.patch[Operand::b].brep.edge_count());
   for (const SegmentRecord& r : records)
@@ -130,10 +130,10 @@ std::vector<std::uint32_t> sort_by_line(const Workspace& w, std::vector<SegmentR
 }  // namespace
 
 void divide_rows(const Workspace& w, Contacts& found) {
-  std::vector<SegmentRecord>& all = found.segments;
+  SegmentRecords& all = found.segments;
   if (static_cast<std::size_t>(std::count_if(all.begin(), all.end(), is_of_edges)) < many) return;
   const auto others = std::stable_partition(all.begin(), all.end(), is_of_edges);
-  std::vector<SegmentRecord> of_edges(all.begin(), others);
+  SegmentRecords of_edges(all.begin(), others);
   all.erase(all.begin(), others);
   const std::vector<std::uint32_t> starts = sort_by_line(w, of_edges);
   for (std::size_t i = 0; i + 1 < starts.size(); ++i) {

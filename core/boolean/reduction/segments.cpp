@@ -143,7 +143,7 @@ class EdgeNodes {
 class EdgeInPlane {
  public:
   EdgeInPlane(const Workspace& w, const Contacts& found, const ContactTable& table,
-              const EdgeNodes& nodes, Operand s, std::vector<SegmentRecord>& out)
+              const EdgeNodes& nodes, Operand s, SegmentRecords& out)
       : w_(w), kernel_(w.tests()), found_(found), table_(table), nodes_(nodes), s_(s), out_(out) {}
 
   void operator()(const InPlane& pair) {
@@ -279,7 +279,7 @@ class EdgeInPlane {
   const ContactTable& table_;
   const EdgeNodes& nodes_;
   Operand s_;
-  std::vector<SegmentRecord>& out_;
+  SegmentRecords& out_;
   std::vector<Node> places_;  // those used are of this edge; the others are kept for their memory
   std::size_t used_ = 0;
   std::vector<ContactId> of_face_;  // of the pair that is looked at
@@ -288,9 +288,8 @@ class EdgeInPlane {
 }  // namespace
 
 void find_segments(const Workspace& w, const ContactTable& table, Contacts& found) {
-  using Records = std::vector<SegmentRecord>;
-  found.segments = joined(collect_ranges<Records>(
-      w, table.pairs.size(), 128, [&](std::size_t first, std::size_t last, Records& out) {
+  found.segments = joined(collect_ranges<SegmentRecords>(
+      w, table.pairs.size(), 128, [&](std::size_t first, std::size_t last, SegmentRecords& out) {
         out.reserve(last - first);
         CrossingFaces cross(w, found, table, out);
         for (std::size_t i = first; i < last; ++i)
@@ -299,13 +298,13 @@ void find_segments(const Workspace& w, const ContactTable& table, Contacts& foun
   for (const Operand s : both_operands) {
     if (table.in_plane[s].empty()) continue;
     const EdgeNodes nodes(w, found, s);
-    append(found.segments,
-           joined(collect_ranges<Records>(w, table.in_plane[s].size(), 128,
-                                          [&](std::size_t first, std::size_t last, Records& out) {
-                                            EdgeInPlane edge(w, found, table, nodes, s, out);
-                                            for (std::size_t i = first; i < last; ++i)
-                                              edge(table.in_plane[s][i]);
-                                          })));
+    append(found.segments, joined(collect_ranges<SegmentRecords>(
+                               w, table.in_plane[s].size(), 128,
+                               [&](std::size_t first, std::size_t last, SegmentRecords& out) {
+                                 EdgeInPlane edge(w, found, table, nodes, s, out);
+                                 for (std::size_t i = first; i < last; ++i)
+                                   edge(table.in_plane[s][i]);
+                               })));
   }
 }
 

@@ -67,7 +67,7 @@ class TouchedFaces {
   TouchedFaces(const Workspace& w, const Contacts& found, Operand s)
       : w_(w), kernel_(w.tests()), found_(found), s_(s), edges_(w, found, s) {}
 
-  void operator()(const PairOfFaces& pair, std::vector<SegmentRecord>& out) const {
+  void operator()(const PairOfFaces& pair, SegmentRecords& out) const {
     if (patch().unbounded) return;
     const FaceId mine = pair.face[s_], across = pair.face[other(s_)];
     std::vector<std::uint32_t> near;
@@ -84,7 +84,7 @@ class TouchedFaces {
     return brep.face_of(Brep::half_edge(e, 0)) == f || brep.face_of(Brep::half_edge(e, 1)) == f;
   }
 
-  void add(const SegmentRecord& known, FaceId f, std::vector<SegmentRecord>& out) const {
+  void add(const SegmentRecord& known, FaceId f, SegmentRecords& out) const {
     const Direction along = direction(known, patch().plane(f));
     std::vector<BoundaryItem> items;
     if (!find_items(known.place[0], f, items)) return;
@@ -131,17 +131,16 @@ class TouchedFaces {
 }  // namespace
 
 void add_touched_faces(const Workspace& w, const ContactTable& table, Contacts& found) {
-  using Records = std::vector<SegmentRecord>;
   std::vector<PairOfFaces> flush;
   for (const PairOfFaces& pair : table.pairs)
     if (pair.coplanar) flush.push_back(pair);
   if (flush.empty()) return;
-  Records more;
+  SegmentRecords more;
   for (const Operand s : both_operands) {
     const TouchedFaces touched(w, found, s);
-    append(more, joined(collect<Records>(w, flush.size(), 64, [&](std::size_t i, Records& out) {
-             touched(flush[i], out);
-           })));
+    append(more, joined(collect<SegmentRecords>(
+                     w, flush.size(), 64,
+                     [&](std::size_t i, SegmentRecords& out) { touched(flush[i], out); })));
   }
   append(found.segments, more);
 }
