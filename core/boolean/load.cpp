@@ -44,13 +44,13 @@ class SlotPairs {
   void collect_slots() {
     std::sort(pairs_.begin(), pairs_.end());
     for (const auto& [i, j] : pairs_) {
-      slots_[Operand::a].push_back(i);
+      if (slots_[Operand::a].empty() || slots_[Operand::a].back() != i)
+        slots_[Operand::a].push_back(i);
       slots_[Operand::b].push_back(j);
     }
-    for (auto& slots : slots_) {
-      std::sort(slots.begin(), slots.end());
-      slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
-    }
+    std::vector<std::uint32_t>& of_b = slots_[Operand::b];
+    std::sort(of_b.begin(), of_b.end());
+    of_b.erase(std::unique(of_b.begin(), of_b.end()), of_b.end());
   }
 
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;

@@ -23,7 +23,7 @@ class UnsetAllocator : public std::allocator<T> {
 
   template <class Element>
   void construct(Element* at) {
-    if constexpr (!std::is_trivially_copyable_v<Element>) ::new (static_cast<void*>(at)) Element;
+    if constexpr (!std::is_trivially_copyable_v<Element>) ::new (static_cast<void*>(at)) Element();
   }
   template <class Element, class... Values>
   void construct(Element* at, Values&&... values) {
