@@ -94,8 +94,8 @@ class BucketSort {
 /// which must leave no two of them equal that can be told apart. Returns where each bucket begins,
 /// and the end.
 template <class Vector, class Bucket, class Less>
-std::vector<std::uint32_t> bucket_sort(Vector& elements, std::size_t buckets,
-                                       const Bucket& bucket, const Less& less) {
+std::vector<std::uint32_t> bucket_sort(Vector& elements, std::size_t buckets, const Bucket& bucket,
+                                       const Less& less) {
   return BucketSort(elements, buckets, bucket, less).run();
 }
 
