@@ -116,7 +116,7 @@ void PartLoader::make_room(std::size_t more_edges) {
 }
 
 // An edge between two blocks goes by the smaller number of its half-edges.
-bool PartLoader::begins_with(const Source& first, const Source& second) const {
+bool PartLoader::begins_with(const Source& first, const Source& second) {
   return first.slot != second.slot ? first.slot < second.slot : first.h < second.h;
 }
 

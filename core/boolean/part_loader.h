@@ -7,8 +7,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "boolean/patch.h"
@@ -53,10 +51,6 @@ class PartLoader {
     UnsetVector<HalfEdgeId> made;      // per half-edge of the block, if it is loaded
     std::unique_ptr<GeometryLoader> geometry;
   };
-  struct EdgeWithPlane {
-    EdgeId edge;
-    Source from;
-  };
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
   void divide_into_runs();
@@ -71,7 +65,7 @@ class PartLoader {
   void number_edges(const Run& run);
   void make_faces(const Run& run);
   void make_loop(const NearSlot& near, LoopId there, LoopId here);
-  bool begins_with(const Source& first, const Source& second) const;
+  static bool begins_with(const Source& first, const Source& second);
 
   void load_planes_of_faces();
   void load_planes_of_edges();
