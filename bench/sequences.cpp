@@ -41,6 +41,26 @@ Sequence near_coincident() {
   });
 }
 
+// What was changed in a part, as its file says it: all but a dent is the same in both.
+Sequence two_versions() {
+  return single("two versions of a sphere of 100,000 triangles", Operation::subtract, [] {
+    PolygonMesh mesh = sphere_mesh({0, 0, 0}, 1, 250, 201);
+    const Solid before = trusted(mesh);
+    for (Vec3& p : mesh.positions)
+      if (p.x > 0.995) p.x -= 0.01;
+    return Operands(before, trusted(mesh));
+  });
+}
+
+// What a cut has taken away: both share nearly all blocks.
+Sequence beside_itself() {
+  return single("sphere of 100,000 triangles beside itself cut", Operation::subtract, [] {
+    const Solid before = sphere_at({0, 0, 0}, 1, 250, 201);
+    return Operands(before,
+                    boolean(before, sphere_at({1, 0, 0}, 0.1, 30, 17), Operation::subtract));
+  });
+}
+
 // Tens of millions of boxes overlap; one end of the inner pipe comes out of the outer one a little.
 Sequence needles() {
   return single("needles, 20,000 and 12,000", Operation::unite, [] {
@@ -102,7 +122,8 @@ std::vector<Sequence> sequences() {
   for (const Case& each : cases())
     all.push_back(single(each.name, each.operation, [each] { return each.prepare()(); }));
   for (Sequence& each : std::vector<Sequence>{
-           near_coincident(), needles(), drag("10 steps of 1,000 in 10,000", 100, 51),
+           near_coincident(), two_versions(), beside_itself(), needles(),
+           drag("10 steps of 1,000 in 10,000", 100, 51),
            drag("10 steps of 1,000 in 100,000", 320, 157),
            drag("10 steps of 1,000 in 1,000,000", 1000, 501), chess_board(), spheres_from_block()})
     all.push_back(std::move(each));

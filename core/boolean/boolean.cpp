@@ -177,7 +177,7 @@ Solid cut_and_assembled(const SolidData& a, const SolidData& b, bool turned_pair
     try {
       return std::optional(assemble(w, cut(w, pairs, {wanted}), operation, 0));
     } catch (const NoFreePoint&) {
-      if (w.crowded_lines.empty()) throw;
+      if (w.crowded_lines.empty() && w.common_faces.empty()) throw;
       return std::optional<Solid>();
     }
   };

@@ -20,8 +20,9 @@ bool same_point(const Geometry& a, PointId p, const Geometry& b, PointId q) {
 }  // namespace
 
 CommonHubs::CommonHubs(const SolidData& a, const SolidData& b,
-                       const PerOperand<std::span<const std::uint32_t>>& slots)
-    : data_{&a, &b} {
+                       const PerOperand<std::span<const std::uint32_t>>& slots,
+                       const CommonFaces& left_out)
+    : data_{&a, &b}, left_out_(left_out) {
   for (const Operand s : both_operands) {
     first_[s].resize(data_[s]->slots().size());
     for (const std::uint32_t slot : slots[s]) {
@@ -112,9 +113,13 @@ void CommonHubs::for_each_fan(const Visit& visit) const {
     for (to = from; to < order_.size() && fan_of(order_[to]) == fan; ++to) {
       const Hub& h = order_[to];
       Fan& mine = common.of[h.solid];
-      for (const FaceId f : hubs(h.solid, h.slot).faces(h.number))
-        mine.faces.push_back(data_[h.solid]->face(h.slot, f));
-      append(mine.boxes, boxes(h, fan));
+      const std::span<const FaceId> faces = hubs(h.solid, h.slot).faces(h.number);
+      const std::vector<Box> boxes = this->boxes(h, fan);
+      for (std::size_t i = 0; i < faces.size(); ++i) {
+        if (left_out_.has(h.solid, h.slot, faces[i])) continue;
+        mine.faces.push_back(data_[h.solid]->face(h.slot, faces[i]));
+        mine.boxes.push_back(boxes[i]);
+      }
       if (common.places.empty() || !(common.places.back() == position(h)))
         common.places.push_back(position(h));
     }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "boolean/common_faces.h"
 #include "boolean/common_fan.h"
 #include "search/spine_lines.h"
 #include "storage/solid_data.h"
@@ -14,9 +15,9 @@ namespace sectile {
 
 class CommonHubs {
  public:
-  /// Of the blocks in some slots of each solid.
+  /// Of the blocks in some slots of each solid, without the faces in `left_out`.
   CommonHubs(const SolidData& a, const SolidData& b,
-             const PerOperand<std::span<const std::uint32_t>>& slots);
+             const PerOperand<std::span<const std::uint32_t>>& slots, const CommonFaces& left_out);
 
   bool empty() const { return order_.empty(); }
   /// The number of the fan of a block's hub.
@@ -59,6 +60,7 @@ class CommonHubs {
   void for_each_fan(const Visit& visit) const;
 
   PerOperand<const SolidData*> data_;
+  const CommonFaces& left_out_;
   std::vector<Hub> order_;                        // by fan
   PerOperand<std::vector<std::uint32_t>> first_;  // per slot: its first hub
   // Per hub: its place, or, behind all places, its line.

@@ -1,61 +1,15 @@
-// Finds the pairs of faces that may meet, and loads these faces.
+// Loads the faces that may meet.
 #include <algorithm>
-#include <atomic>
-#include <limits>
-#include <optional>
 
 #include "boolean/boolean.h"
-#include "boolean/collect.h"
-#include "boolean/common_hubs.h"
-#include "boolean/crowded_faces.h"
-#include "boolean/crowded_lines.h"
 #include "boolean/equal_planes.h"
-#include "boolean/tables.h"
+#include "boolean/near_pairs.h"
 #include "numbers/threshold.h"
-#include "parallel/scratch.h"
-#include "storage/near_faces.h"
+#include "parallel/parallel.h"
+#include "search/face_tree.h"
 
 namespace sectile {
 namespace {
-
-// The slots of two solids whose blocks may meet.
-class SlotPairs {
- public:
-  SlotPairs(const SolidData& a, const SolidData& b) {
-    BoxTree::overlaps(a.slot_tree(), b.slot_tree(), [&](std::uint32_t i, std::uint32_t j) {
-      pairs_.push_back({a.slots_in_tree()[i], b.slots_in_tree()[j]});
-    });
-    collect_slots();
-  }
-  /// Of some slots of one solid, which are ascending.
-  SlotPairs(const SolidData& solid, std::span<const std::uint32_t> slots) {
-    std::vector<Box> boxes;
-    for (const std::uint32_t s : slots) boxes.push_back(solid.slot(s).block->bounds());
-    const BoxTree tree(boxes);
-    BoxTree::overlaps(tree, tree, [&](std::uint32_t i, std::uint32_t j) {
-      pairs_.push_back({slots[i], slots[j]});
-    });
-    collect_slots();
-  }
-  std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs() const { return pairs_; }
-  std::span<const std::uint32_t> slots(Operand s) const { return slots_[s]; }
-
- private:
-  void collect_slots() {
-    std::sort(pairs_.begin(), pairs_.end());
-    for (const auto& [i, j] : pairs_) {
-      if (slots_[Operand::a].empty() || slots_[Operand::a].back() != i)
-        slots_[Operand::a].push_back(i);
-      slots_[Operand::b].push_back(j);
-    }
-    std::vector<std::uint32_t>& of_b = slots_[Operand::b];
-    std::sort(of_b.begin(), of_b.end());
-    of_b.erase(std::unique(of_b.begin(), of_b.end()), of_b.end());
-  }
-
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
-  PerOperand<std::vector<std::uint32_t>> slots_;
-};
 
 // The faces of the slots that are near, those in pairs marked. They have numbers one after another:
 // neither sorting nor search finds what is loaded.
@@ -128,119 +82,6 @@ FaceId loaded_face(const Patch& patch, FaceId face) {
 
 namespace {
 
-// Those that nobody has asked for before are made side by side.
-void make_trees(const Workspace& w, const SolidData& solid, std::span<const std::uint32_t> slots) {
-  std::vector<const Block*> without;
-  for (const std::uint32_t s : slots)
-    if (const Block& block = *solid.slot(s).block; !block.has_tree()) without.push_back(&block);
-  for_each(w, without.size(), 4, [&](std::size_t i) { without[i]->tree(); });
-}
-
-// Pairs of faces that may meet, but for those that have a hub in common.
-class NearPairs {
- public:
-  NearPairs(const Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs& slots,
-            const CommonHubs& hubs)
-      : w_(w), a_(a), b_(b), slots_(slots), hubs_(hubs) {}
-
-  FacePairs all() {
-    FacePairs pairs = by_blocks(std::numeric_limits<std::size_t>::max());
-    if (!is_crowded()) return pairs;
-    return pairs_of_crowded_faces(w_, a_, b_,
-                                  {{slots_.slots(Operand::a), slots_.slots(Operand::b)}}, hubs_);
-  }
-  /// None if there are more than so many for each face, or very many had to be looked at: whichever
-  /// of the threads comes first.
-  std::optional<FacePairs> few(std::size_t for_each_face) {
-    const std::size_t most = for_each_face * faces_;
-    FacePairs pairs = by_blocks(most);
-    if (is_crowded() || count_ > most) return {};
-    hubs_.add_pairs(pairs);
-    if (pairs.size() > most) return {};
-    return pairs;
-  }
-
- private:
-  // More looks than so many for each face are a reason to divide space.
-  static constexpr std::size_t very_many = threshold(128, 2);
-
-  FacePairs by_blocks(std::size_t most) {
-    looks_ = count_ = 0;
-    parallel::Scratch<NearFaces> scratch;
-    return joined(collect_ranges<FacePairs>(
-        w_, slots_.pairs().size(), 8, [&](std::size_t first, std::size_t last, FacePairs& out) {
-          scratch.lend([&](NearFaces& near) {
-            for (const auto& [s, t] : slots_.pairs().subspan(first, last - first)) {
-              if (is_crowded() || count_.load(std::memory_order_relaxed) > most) return;
-              const std::size_t looks = near.looks(), count = out.size();
-              add_pairs(s, t, near, out);
-              looks_ += near.looks() - looks;
-              count_ += out.size() - count;
-            }
-          });
-        }));
-  }
-
-  void add_pairs(std::uint32_t s, std::uint32_t t, NearFaces& near, FacePairs& out) const {
-    near(
-        *a_.slot(s).block, *b_.slot(t).block,
-        [&](std::uint32_t f, std::uint32_t g) {
-          out.push_back({a_.face(s, FaceId(f)), b_.face(t, FaceId(g))});
-        },
-        [&](std::uint32_t hub, std::uint32_t across) {
-          return !hubs_.empty() && hubs_.are_of_one_fan(s, hub, t, across);
-        });
-  }
-
-  bool is_crowded() const { return looks_.load(std::memory_order_relaxed) > very_many * faces_; }
-
-  std::size_t count_faces() const {
-    std::size_t count = 0;
-    for (const std::uint32_t s : slots_.slots(Operand::a)) count += a_.slot(s).faces;
-    for (const std::uint32_t t : slots_.slots(Operand::b)) count += b_.slot(t).faces;
-    return count;
-  }
-
-  const Workspace& w_;
-  const SolidData &a_, &b_;
-  const SlotPairs& slots_;
-  const CommonHubs& hubs_;
-  const std::size_t faces_ = count_faces();
-  std::atomic<std::size_t> looks_ = 0, count_ = 0;
-};
-
-// For each face near the other solid. Where there are more, it is worth while to find out why.
-constexpr std::size_t many_pairs = threshold(8, 1);
-
-// Whoever follows the phases, or asks for all that is cut, is shown all that meets.
-bool may_leave_out(const Workspace& w, const Wanted& wanted) {
-  return !w.options.observer && !wanted.operations.empty() && !wanted.all_pairs;
-}
-
-// All pairs that may meet, or, if very many do for nothing, the lines where they do. Pairs of hubs
-// are among them as far as directions tell.
-std::optional<CrowdedLines> lines_or_pairs(const Workspace& w, const SolidData& a,
-                                           const SolidData& b, const SlotPairs& slots,
-                                           const CommonHubs& hubs, const Wanted& wanted,
-                                           FacePairs& pairs) {
-  NearPairs near(w, a, b, slots, hubs);
-  if (may_leave_out(w, wanted)) {
-    if (auto few = near.few(many_pairs)) {
-      pairs = *std::move(few);
-      return {};
-    }
-    CrowdedLines lines(a, b, {{slots.slots(Operand::a), slots.slots(Operand::b)}},
-                       wanted.turned_pairs);
-    if (!lines.empty()) {
-      pairs = lines.pairs();
-      return lines;
-    }
-  }
-  pairs = near.all();
-  hubs.add_pairs(pairs);
-  return {};
-}
-
 // Of one solid, by the pairs of its faces, `loaded`, with those of the other one.
 std::vector<FarLoops> far_loops(const Workspace& w, Operand s,
                                 const PerOperand<const SolidData*>& of, const SlotPairs& slots,
@@ -289,12 +130,11 @@ void load_patches(Workspace& w, const SolidData& a, ToLoad of_a, const SolidData
   move_to_end(patch_b, geometry_of_b, w.geometry);
 }
 
-void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs& slots,
+void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs& all_slots,
           FacePairs& pairs, const Wanted& wanted) {
-  make_trees(w, a, slots.slots(Operand::a));
-  make_trees(w, b, slots.slots(Operand::b));
-  const CommonHubs hubs(a, b, {{slots.slots(Operand::a), slots.slots(Operand::b)}});
-  const std::optional<CrowdedLines> lines = lines_or_pairs(w, a, b, slots, hubs, wanted, pairs);
+  Near near = find_near(w, a, b, all_slots, wanted);
+  const auto& [slots, hubs, found, lines] = near;
+  pairs = std::move(near.pairs);
   NearFaceMarks of_a(a, slots.slots(Operand::a)), of_b(b, slots.slots(Operand::b));
   for (const auto& [f, g] : pairs) {
     of_a.mark(f);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "numbers/threshold.h"
@@ -61,17 +62,31 @@ class HullCache {
   std::vector<Hull> hull_;
 };
 
+/// Which pairs of faces of two blocks, or of some faces of each, are not asked for: none.
+struct NothingLeftOut {
+  bool operator()(std::uint32_t, std::uint32_t) const { return false; }
+  bool operator()(std::span<const std::uint32_t>, std::span<const std::uint32_t>) const {
+    return false;
+  }
+};
+
 /// Not for several threads at a time.
 class NearFaces {
  public:
   /// Calls visit(face of a, face of b) for all pairs that meet and for few others, but not for
-  /// those whose hubs satisfy skip(hub of a, hub of b).
-  template <class Visit, class Skip>
-  void operator()(const Block& a, const Block& b, const Visit& visit, const Skip& skip) {
+  /// those whose hubs satisfy skip(hub of a, hub of b), and not for those that are left out.
+  template <class Visit, class Skip, class LeftOut = NothingLeftOut>
+  void operator()(const Block& a, const Block& b, const Visit& visit, const Skip& skip,
+                  const LeftOut& left_out = LeftOut()) {
     slabs_[0].start(a);
     slabs_[1].start(b);
     if (a.brep().face_count() * b.brep().face_count() <= few_pairs) {
-      BoxTree::overlaps(a.tree(), b.tree(), visit, skip, FacesApart{{}, slabs_});
+      BoxTree::overlaps(
+          a.tree(), b.tree(),
+          [&](std::uint32_t f, std::uint32_t g) {
+            if (!left_out(f, g)) visit(f, g);
+          },
+          skip, FacesApart{{}, slabs_});
       return;
     }
     if (apart(a.oriented_bounds(), b.oriented_bounds())) return;
@@ -80,10 +95,11 @@ class NearFaces {
     BoxTree::overlaps(
         a.tree(), b.tree(),
         [&](std::uint32_t f, std::uint32_t g) {
+          if (left_out(f, g)) return;
           ++looks_;
           if (!apart(hulls_[0][f], hulls_[1][g])) visit(f, g);
         },
-        skip, Apart(a, b, slabs_, looks_));
+        skip, Apart(a, b, slabs_, left_out, looks_));
   }
   /// How many pairs of nodes and of faces were looked at in large blocks so far?
   std::size_t looks() const { return looks_; }
@@ -96,21 +112,32 @@ class NearFaces {
     bool item_of_b(std::uint32_t face, const Box& box) const { return apart(slabs[1][face], box); }
   };
 
-  // By oriented boxes, too, if one of the blocks has them.
+  // By oriented boxes, too, if one of the blocks has them; and two leaves that are left out.
+  template <class LeftOut>
   class Apart : public FacesApart {
    public:
-    Apart(const Block& a, const Block& b, SlabCache (&caches)[2], std::size_t& looks)
+    Apart(const Block& a, const Block& b, SlabCache (&caches)[2], const LeftOut& left_out,
+          std::size_t& looks)
         : FacesApart{{}, caches},
+          a_(a.tree()),
+          b_(b.tree()),
+          left_out_(left_out),
           looks_(looks),
           by_nodes_(a.tree(), a.tree().oriented(a.brep(), a.geometry()), b.tree(),
                     b.tree().oriented(b.brep(), b.geometry())) {}
 
     bool nodes(BoxTree::Node p, BoxTree::Node q) const {
       ++looks_;
-      return by_nodes_.nodes(p, q);
+      return by_nodes_.nodes(p, q) || is_left_out(p, q);
     }
 
    private:
+    bool is_left_out(BoxTree::Node p, BoxTree::Node q) const {
+      return p.level == 0 && q.level == 0 && left_out_(a_.items(p), b_.items(q));
+    }
+
+    const BoxTree &a_, &b_;
+    const LeftOut& left_out_;
     std::size_t& looks_;
     OrientedApart by_nodes_;
   };

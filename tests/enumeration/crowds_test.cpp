@@ -52,6 +52,13 @@ class PairsOfCrowds {
     expect_what_cells_are(a, b);
   }
 
+  // The same crowd, from which something was cut, or to which something was added; or two such.
+  void expect_next_versions(const KindOfCrowd& kind) {
+    const Solid made = transformed(crowd(kind, 4 + below(most_parts_ - 3)), any_move());
+    const Solid a = below(3) == 0 ? version_of(made) : made;
+    expect_what_cells_are(a, version_of(made));
+  }
+
  private:
   int below(int end) { return static_cast<int>(random_() % static_cast<unsigned>(end)); }
   const KindOfCrowd& any_kind() { return kinds_of_crowds()[random_() % kinds_of_crowds().size()]; }
@@ -70,6 +77,18 @@ class PairsOfCrowds {
       }
       default:
         return Transform::scaling({1, 3, 0.1}) * Transform::rotation_degrees({1, 1, 3}, 17);
+    }
+  }
+
+  Solid version_of(const Solid& solid) {
+    const Solid other = transformed(crowd(any_kind(), 1 + below(4)), any_move());
+    switch (below(4)) {
+      case 0:
+        return unite(solid, other);
+      case 1:
+        return minus(other, solid);
+      default:
+        return minus(solid, other);
     }
   }
 
@@ -99,10 +118,14 @@ class PairsOfCrowds {
   int most_parts_;
 };
 
-void expect_pairs(const KindOfCrowd& kind, unsigned first_seed, unsigned count, int most_parts) {
+using ExpectNext = void (PairsOfCrowds::*)(const KindOfCrowd&);
+
+void expect_pairs(const KindOfCrowd& kind, ExpectNext expect_next, unsigned first_seed,
+                  unsigned count, int most_parts) {
   for (unsigned seed = first_seed; seed < first_seed + count; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    PairsOfCrowds(seed, most_parts).expect_next(kind);
+    PairsOfCrowds pairs(seed, most_parts);
+    (pairs.*expect_next)(kind);
     if (testing::Test::HasFailure()) return;
   }
 }
@@ -115,11 +138,19 @@ std::string name_of(const testing::TestParamInfo<KindOfCrowd>& kind) {
 }
 
 TEST_P(Crowds, AreWhatTheirCellsAre) {
-  expect_pairs(GetParam(), 1, cases(9u), 12);
+  expect_pairs(GetParam(), &PairsOfCrowds::expect_next, 1, cases(9u), 12);
+}
+
+TEST_P(Crowds, BesideVersionsOfThemselves) {
+  expect_pairs(GetParam(), &PairsOfCrowds::expect_next_versions, 1, cases(6u), 12);
 }
 
 TEST_P(CrowdsExhaustive, AreWhatTheirCellsAre) {
-  expect_pairs(GetParam(), 100, 12, 30);
+  expect_pairs(GetParam(), &PairsOfCrowds::expect_next, 100, 12, 30);
+}
+
+TEST_P(CrowdsExhaustive, BesideVersionsOfThemselves) {
+  expect_pairs(GetParam(), &PairsOfCrowds::expect_next_versions, 100, 8, 30);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Crowds, testing::ValuesIn(kinds_of_crowds()), name_of);

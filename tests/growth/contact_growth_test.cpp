@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "growth/steps.h"
@@ -256,6 +257,43 @@ TEST(Growth, SpikesBetweenWallsAroundOneLine) {
 TEST(Growth, CrumbsInTheTeethOfACombAndBetweenThem) {
   for (const double degrees : {0.0, 33.0})
     EXPECT_LT(growth_of_uncut(short_comb, crumbs, degrees, 250), n_log_n);
+}
+
+// Of what two versions have in common, blocks that they share are not looked into, and faces that
+// they do not share are looked at, but not cut.
+double steps_of_versions_for_each_face(const std::function<Pair(std::size_t)>& versions) {
+  const auto steps = [&](std::size_t n) {
+    const Pair pair = versions(n);
+    boolean(pair.a, pair.b, Operation::subtract);  // finds what blocks keep
+    return static_cast<double>(steps_of([&] { boolean(pair.a, pair.b, Operation::subtract); }));
+  };
+  return (steps(80000) - steps(20000)) / 60000;
+}
+
+PolygonMesh ball(std::size_t n) {
+  const std::uint32_t rings = root(n / 4);
+  return sphere_mesh({0, 0, 0}, 1, 2 * rings, rings);
+}
+
+TEST(Growth, ASolidBesideWhatIsLeftOfItAfterASmallCut) {
+  const Solid tool = transformed(block({0.9, -0.05, -0.05}, {1.2, 0.05, 0.05}),
+                                 Transform::rotation_degrees({1, 2, 3}, 40));
+  const auto versions = [&](std::size_t n) -> Pair {
+    const Solid all = Solid::from_mesh(ball(n));
+    return {all, boolean(all, tool, Operation::subtract)};
+  };
+  EXPECT_LT(steps_of_versions_for_each_face(versions), 60);
+}
+
+TEST(Growth, TwoVersionsOfAMeshOfWhichOneHasASmallDent) {
+  const auto versions = [](std::size_t n) -> Pair {
+    PolygonMesh mesh = ball(n);
+    const Solid all = Solid::from_mesh(mesh);
+    for (Vec3& p : mesh.positions)
+      if (p.x > 0.998) p.x -= 0.01;
+    return {all, Solid::from_mesh(mesh)};
+  };
+  EXPECT_LT(steps_of_versions_for_each_face(versions), 2500);
 }
 
 }  // namespace

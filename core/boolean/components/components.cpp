@@ -245,7 +245,7 @@ class Labelling {
       if (!rest_.has(s, unknown)) continue;
       for (std::uint32_t m = 0; m < rest_.count(s); ++m) {
         if (rest_.of_member(s, m) != unknown) continue;
-        settle_by_ray(s, m);
+        settle(s, m);
         spread();
       }
     }
@@ -284,9 +284,17 @@ class Labelling {
     }
   }
 
-  void settle_by_ray(std::uint32_t s, std::uint32_t member) {
-    const Brep& brep = slot(s).block->brep();
+  // A shell that both boundaries have is the only one that lies on the other boundary.
+  void settle(std::uint32_t s, std::uint32_t member) {
     const FaceId f = rest_.is_touched(s) ? FaceId(member) : slot(s).block->pieces().face_of(member);
+    if (w_.common_faces.has(operand_, s, f))
+      set_rest(s, f, label_(operand_, w_.common_faces.class_of(operand_, s, f)));
+    else
+      settle_by_ray(s, f);
+  }
+
+  void settle_by_ray(std::uint32_t s, FaceId f) {
+    const Brep& brep = slot(s).block->brep();
     const HalfEdgeId h = brep.loop_half_edge[brep.outer_loop[f]];
     const PointId p =
         load_point(slot(s).block->geometry(), brep.point_of(brep.from(h)), w_.geometry);

@@ -308,10 +308,30 @@ void find_segments(const Workspace& w, const ContactTable& table, Contacts& foun
   }
 }
 
+namespace {
+
+// Edges of which one face lies deep in what is common to both boundaries have no segments.
+void leave_out_open_edges(const Workspace& w, Contacts& found) {
+  if (w.common_faces.empty()) return;
+  const auto is_open = [&](const SegmentRecord& r, Operand s) {
+    if (!r.on[s].is_edge()) return false;
+    const Patch& patch = w.patch[s];
+    const HalfEdgeId h = Brep::half_edge(r.on[s].edge());
+    return !patch.is_real(patch.brep.face_of(h)) ||
+           !patch.is_real(patch.brep.face_of(Brep::twin(h)));
+  };
+  std::erase_if(found.segments, [&](const SegmentRecord& r) {
+    return is_open(r, Operand::a) || is_open(r, Operand::b);
+  });
+}
+
+}  // namespace
+
 Contacts reduce(Workspace& w, const FacePairs& candidates) {
   Contacts found;
   const ContactTable table = find_contacts(w, candidates, found);
   find_segments(w, table, found);
+  leave_out_open_edges(w, found);
   divide_rows(w, found);
   const Clusters clusters(w, candidates);
   split_at_places(w, clusters, found);
