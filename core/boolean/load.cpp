@@ -132,9 +132,8 @@ void load_patches(Workspace& w, const SolidData& a, ToLoad of_a, const SolidData
 
 void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs& all_slots,
           FacePairs& pairs, const Wanted& wanted) {
-  Near near = find_near(w, a, b, all_slots, wanted);
-  const auto& [slots, hubs, found, lines] = near;
-  pairs = std::move(near.pairs);
+  auto [slots, hubs, found, lines] = find_near(w, a, b, all_slots, wanted);
+  pairs = std::move(found);
   NearFaceMarks of_a(a, slots.slots(Operand::a)), of_b(b, slots.slots(Operand::b));
   for (const auto& [f, g] : pairs) {
     of_a.mark(f);

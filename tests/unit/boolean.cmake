@@ -13,5 +13,5 @@ sectile_test(boolean_phases_test SOURCES boolean/reduction_test.cpp boolean/neig
              boolean/gluing_test.cpp boolean/patch_euler_test.cpp boolean/equal_planes_test.cpp
              boolean/direction_test.cpp boolean/crowded_lines_test.cpp
              boolean/part_loader_test.cpp boolean/point_in_solid_test.cpp)
-sectile_test(common_faces_test SOURCES boolean/common_faces_test.cpp)
+sectile_test(common_faces_test SOURCES boolean/common_faces_test.cpp boolean/face_match_test.cpp)
 sectile_test(same_bits_test LABEL slow SOURCES same_bits_test.cpp)
