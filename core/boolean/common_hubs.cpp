@@ -129,6 +129,18 @@ void CommonHubs::for_each_fan(const Visit& visit) const {
   }
 }
 
+CommonFaces::Faces CommonHubs::left_out_on_lines() const {
+  CommonFaces::Faces faces;
+  if (left_out_.empty()) return faces;
+  for (const Hub& h : order_) {
+    if (fan_of(h) < order_.size()) continue;
+    for (const FaceId f : hubs(h.solid, h.slot).faces(h.number))
+      if (left_out_.has(h.solid, h.slot, f))
+        faces.push_back({h.solid, data_[h.solid]->face(h.slot, f)});
+  }
+  return faces;
+}
+
 void CommonHubs::add_pairs(FacePairs& pairs) const {
   for_each_fan([&](const CommonFan& fan) {
     const Fan &a = fan.of[Operand::a], &b = fan.of[Operand::b];

@@ -34,6 +34,9 @@ class CommonHubs {
   void add_pairs(FacePairs& pairs) const;
   /// The faces of all fans: they meet in their hubs. Some may be named twice.
   PerOperand<std::vector<FaceId>> faces() const;
+  /// Those of fans on lines that are left out. What has an edge on such a line may touch them
+  /// there, and is in no pair with them.
+  CommonFaces::Faces left_out_on_lines() const;
   /// The hubs themselves, and edges between them, meet the faces of the other fan: adds the pairs
   /// of loaded faces in which that is tested, of what is in one place for all (Patch::tested).
   void add_pairs_of_owners(Workspace& w, FacePairs& pairs) const;

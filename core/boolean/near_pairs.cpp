@@ -188,7 +188,8 @@ class NearFinder {
     for (int round = 0; round < most_rounds && !common.empty(); ++round) {
       auto near = few(slots_.without(common), many_pairs_of_what_differs);
       if (!near) break;
-      const CommonFaces::Faces touched = touched_deep_faces(near->pairs);
+      CommonFaces::Faces touched = touched_deep_faces(near->pairs);
+      append(touched, near->hubs.left_out_on_lines());
       if (touched.empty()) return near;
       common.give_up(w_, a_, b_, slots, touched);
     }

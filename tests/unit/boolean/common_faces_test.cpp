@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <random>
 
 #include "boolean/slot_pairs.h"
@@ -218,6 +219,29 @@ TEST(VersionsOfAPart, ThatTouchTheirOtherPartsInAPointOrALine) {
     expect_same_results(cut, on_small_table);
     expect_same_results(cut, on_table);
   }
+}
+
+// Spikes of each version stand with their tips on one face that both have: none of its corners is
+// there, and what a spike is to the other version cannot be told from its tip.
+TEST(VersionsOfAPart, OnWhoseFaceDifferentSpikesStand) {
+  const double turn = 2 * std::numbers::pi / (50 * rings);
+  Profile profile;
+  for (std::uint32_t i = 0; i < 50 * rings; ++i)
+    profile.outer.push_back({10 * std::cos(i * turn), 10 * std::sin(i * turn)});
+  const Solid part = extrude(profile, 1);
+  const auto with_spikes = [&](double first) {
+    std::vector<Solid> all{part};
+    for (int i = 0; i < 12; ++i) {
+      const double x = first + 0.5 * i;
+      PolygonMesh spike{{{x, 0, 1}, {x, 0.25, 2}, {x - 0.125, 0, 2}, {x + 0.125, 0, 2}},
+                        {3, 3, 3, 3},
+                        {0, 1, 3, 0, 2, 1, 0, 3, 2, 1, 2, 3}};
+      all.push_back(Solid::from_mesh(spike));
+    }
+    return unite(all);
+  };
+  expect_same_results(with_spikes(-3), with_spikes(-2.75));
+  expect_same_results(with_spikes(-3), part);
 }
 
 // Their corners are in one place, and the structure says so.
