@@ -10,6 +10,7 @@
 #include "boolean/components/components.h"
 #include "boolean/components/free_point.h"
 #include "boolean/gluing/gluing.h"
+#include "boolean/loading/load.h"
 #include "boolean/report/report.h"
 #include "boolean/same_faces.h"
 #include "boolean/save_operands.h"

@@ -20,15 +20,6 @@ inline BooleanOptions without_observer(BooleanOptions options) {
 /// What boolean() does with two solids of which neither is empty, even if they are the same.
 Solid boolean_by_cutting(const Solid& a, const Solid& b, Operation operation,
                          const BooleanOptions& options);
-/// Loads the faces that may meet; `pairs` are pairs of loaded faces, ascending.
-/// What `wanted` says will be made of them, and nothing else.
-void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs,
-          const Wanted& wanted = {});
-/// Both operands are one solid, of which nothing but the faces in some of its slots can be loaded.
-void load_slots(Workspace& w, const SolidData& solid, std::span<const std::uint32_t> slots,
-                FacePairs& pairs);
-/// The loaded face that stands for a face of the operand.
-FaceId loaded_face(const Patch& patch, FaceId face);
 
 /// Both boundaries, cut for all wanted operations, with what the phases found.
 struct CutBoundaries {

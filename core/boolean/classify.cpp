@@ -4,6 +4,7 @@
 
 #include "boolean/boolean.h"
 #include "boolean/components/components.h"
+#include "boolean/loading/load.h"
 #include "import/measure.h"
 
 namespace sectile {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "boolean/boolean.h"
+#include "boolean/loading/load.h"
 #include "storage/touching_lines.h"
 #include "storage/touching_slots.h"
 

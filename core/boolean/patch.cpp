@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "boolean/collect.h"
-#include "boolean/part_loader.h"
+#include "boolean/loading/part_loader.h"
 #include "boolean/side_by_side.h"
 #include "geometry/kernel.h"
 #include "numbers/threshold.h"
@@ -47,6 +47,12 @@ Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geome
   patch.loaded_edges = patch.brep.edge_count();
   patch.loaded_vertices = patch.brep.vertex_count();
   return patch;
+}
+
+FaceId loaded_face(const Patch& patch, FaceId face) {
+  if (patch.whole) return face;
+  const auto at = std::lower_bound(patch.face_in_solid.begin(), patch.face_in_solid.end(), face);
+  return FaceId(static_cast<std::size_t>(at - patch.face_in_solid.begin()));
 }
 
 void move_to_end(Patch& patch, const Geometry& own, Geometry& geometry) {

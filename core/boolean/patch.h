@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "boolean/far_loops.h"
+#include "boolean/loading/far_loops.h"
 #include "boolean/operand.h"
 #include "boolean/tested.h"
 #include "numbers/table.h"
@@ -50,8 +50,8 @@ struct Patch {
 
   Tested tested;
   /// Per loaded vertex: is it where both boundaries may meet without a contact that says so
-  /// (boolean/crowded_lines.h)? The number of the line, from 1 on, or `several`. Empty if there is
-  /// no such place.
+  /// (boolean/near/crowded_lines.h)? The number of the line, from 1 on, or `several`. Empty if
+  /// there is no such place.
   Table<VertexId, std::uint32_t> on_crowded_line;
   static constexpr std::uint32_t several = 0xFFFFFFFFu;
 
@@ -93,6 +93,8 @@ struct Patch {
 /// added to `geometry`. There is room for so many more edges.
 Patch load_patch(const SolidData& solid, const std::vector<FaceId>& faces, Geometry& geometry,
                  std::size_t more_edges = 0, std::vector<FarLoops> far_loops = {});
+/// The loaded face that stands for a face of the operand.
+FaceId loaded_face(const Patch& patch, FaceId face);
 /// Appends the geometry of a patch to another one, of which the patch's is a part then.
 void move_to_end(Patch& patch, const Geometry& own, Geometry& geometry);
 

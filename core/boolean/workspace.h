@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "boolean/common_faces.h"
+#include "boolean/near/common_faces.h"
 #include "boolean/operand.h"
 #include "boolean/patch.h"
 #include "geometry/kernel.h"
@@ -22,7 +22,8 @@ struct Workspace {
   Geometry geometry;
   std::unique_ptr<Kernel> kernel;
   PerOperand<Patch> patch;
-  /// Two points on each line where not all that meets was looked for (boolean/crowded_lines.h).
+  /// Two points on each line where not all that meets was looked for
+  /// (boolean/near/crowded_lines.h).
   std::vector<std::array<PointId, 2>> crowded_lines;
   /// What of both boundaries is neither loaded nor tested, as it is the same.
   CommonFaces common_faces;

@@ -1,6 +1,6 @@
 // Input that begins with "PK" is a package, all other is the XML of its model.
 #include "fuzz/read_anything.h"
-#include "unit/three_mf_package.h"
+#include "unit/files/three_mf_package.h"
 
 using namespace sectile;
 

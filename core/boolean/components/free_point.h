@@ -10,7 +10,7 @@
 namespace sectile {
 
 /// Where no point is known to be free: as a rule, all edges of a shell are on crowded lines
-/// (boolean/crowded_lines.h).
+/// (boolean/near/crowded_lines.h).
 class NoFreePoint : public InternalError {
  public:
   using InternalError::InternalError;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "boolean/boolean.h"
 #include "geometry/x_ray.h"
 #include "sectile/errors.h"
 

@@ -1,6 +1,6 @@
 // Solids that have many faces in common, as two versions of a part have: what is the same in both
 // is left out, and nothing of the result is another for it.
-#include "boolean/common_faces.h"
+#include "boolean/near/common_faces.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random>
 
-#include "boolean/slot_pairs.h"
+#include "boolean/near/slot_pairs.h"
 #include "boolean/workspace.h"
 #include "cases.h"
 #include "sectile/sectile.h"
@@ -34,7 +34,7 @@ Change dent(const Vec3& middle, double radius, double depth = 0.3) {
 }
 
 // Under the sanitizers blocks are small, so that small parts will do.
-constexpr std::uint32_t rings = 8 + cases(16u), segments = 2 * rings - 8;
+constexpr std::uint32_t rings = 4 + cases(20u), segments = 2 * rings - 8;
 
 const PolygonMesh& ball_mesh() {
   static const PolygonMesh mesh = sphere_mesh({0, 0, 0}, 1, segments, rings);

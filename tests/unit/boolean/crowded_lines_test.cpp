@@ -1,5 +1,5 @@
 // Two books of which no two pages are of one length: what is tested, and what is not.
-#include "boolean/crowded_lines.h"
+#include "boolean/near/crowded_lines.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <set>
 
-#include "boolean/boolean.h"
+#include "boolean/loading/load.h"
 #include "boolean/reduction/clusters.h"
 #include "sectile/boolean.h"
 #include "sectile/trace.h"

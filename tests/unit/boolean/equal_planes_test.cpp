@@ -1,6 +1,6 @@
 // What operands have in common is one plane for both, so that no test between them computes
 // anything.
-#include "boolean/equal_planes.h"
+#include "boolean/loading/equal_planes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Faces of two solids that are the same, corner by corner.
-#include "boolean/face_match.h"
+#include "boolean/near/face_match.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "boolean/boolean.h"
 #include "boolean/check_links.h"
 #include "boolean/components/components.h"
 #include "boolean/gluing/gluing.h"
+#include "boolean/loading/load.h"
 #include "sectile/primitives.h"
 
 namespace sectile::test {

@@ -1,0 +1,234 @@
+// Each exact test against the same formula in rationals, for explicit and for constructed points.
+#include "geometry/kernel.h"
+
+#include <gtest/gtest.h>
+
+#include "cases.h"
+#include "geometry/axes.h"
+#include "geometry/probe.h"
+#include "kernel_scene.h"
+
+namespace sectile::test {
+namespace {
+
+template <class Check>
+void in_scenes_of(AnyDouble& any, const std::function<double()>& coordinate, const Check& check) {
+  for (int i = 0; i < cases(6); ++i) {
+    Scene scene(any, coordinate);
+    for (int j = 0; j < cases(30); ++j) check(scene);
+  }
+}
+
+template <class Check>
+void in_many_scenes(const Check& check) {
+  AnyDouble any(11);
+  in_scenes_of(
+      any, [&] { return static_cast<double>(any.below(7)) - 3; }, check);
+  in_scenes_of(
+      any, [&] { return any(); }, check);
+  in_scenes_of(
+      any, [&] { return extreme(any); }, check);
+  // One exponent for all coordinates of an axis, so that points of other planes fall near zero.
+  in_scenes_of(
+      any,
+      [&, axis = 0]() mutable {
+        constexpr int exponents[] = {-1074, 0, 540};
+        axis = next_axis(axis);
+        return std::ldexp(static_cast<double>(any.below(11)) - 5, exponents[axis]);
+      },
+      check);
+}
+
+TEST(Kernel, SideOfAPlane) {
+  in_many_scenes([](Scene& s) {
+    const std::size_t p = s.any_point(), f = s.any_plane();
+    ASSERT_EQ(s.kernel->side(PointId(p), PlaneId(f)),
+              rational_sign(dot(s.planes[f].n, s.points[p]) + s.planes[f].d));
+  });
+}
+
+TEST(Kernel, DeterminantOfNormals) {
+  in_many_scenes([](Scene& s) {
+    const std::size_t a = s.any_plane(), b = s.any_plane(), c = s.any_plane();
+    ASSERT_EQ(s.kernel->det(PlaneId(a), PlaneId(b), PlaneId(c)),
+              rational_sign(dot(s.planes[a].n, cross(s.planes[b].n, s.planes[c].n))));
+  });
+}
+
+TEST(Kernel, CrossProductsOfNormals) {
+  in_many_scenes([](Scene& s) {
+    const std::size_t a = s.any_plane(), b = s.any_plane();
+    const Vector n = cross(s.planes[a].n, s.planes[b].n);
+    for (int k = 0; k < 3; ++k)
+      ASSERT_EQ(s.kernel->cross(PlaneId(a), PlaneId(b), k),
+                rational_sign(n[static_cast<std::size_t>(k)]));
+    const auto [axis, sign] = s.kernel->main_cross(PlaneId(a), PlaneId(b));
+    ASSERT_EQ(axis < 0, (n == Vector{0, 0, 0}));
+    if (axis >= 0) {
+      ASSERT_NE(sign, Sign::zero);
+      ASSERT_EQ(sign, rational_sign(n[static_cast<std::size_t>(axis)]));
+    }
+    ASSERT_EQ(s.kernel->normal(PlaneId(a), 1), rational_sign(s.planes[a].n[1]));
+  });
+}
+
+// Each way round, at several heights.
+TEST(Kernel, PlanesAlongAxes) {
+  struct Flat {
+    int axis, sense;
+    double at;
+  };
+  const double heights[] = {0, 1, -0.7, 0.1, -0x1p-300, 0x1p300};
+  Geometry g;
+  std::vector<Flat> flats;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int sense : {1, -1})
+      for (const double at : heights) {
+        Vec3 a, b, c;
+        component(a, axis) = component(b, axis) = component(c, axis) = at;
+        component(b, next_axis(axis)) = 0.3;
+        component(c, next_next_axis(axis)) = sense * 0.2;
+        const PointId p = g.add_point(a), q = g.add_point(b), r = g.add_point(c);
+        g.add_plane(PlaneDefinition::through(p, q, r));
+        flats.push_back({axis, sense, at});
+      }
+  const Kernel kernel(g);
+  for (const PlaneId s : g.planes.ids())
+    for (const PlaneId t : g.planes.ids()) {
+      const Flat &u = flats[s.value()], &v = flats[t.value()];
+      const auto [axis, sign] = kernel.main_cross(s, t);
+      EXPECT_EQ(axis, u.axis == v.axis ? -1 : 3 - u.axis - v.axis);
+      const int turn = u.axis == v.axis ? 0 : next_axis(u.axis) == v.axis ? 1 : -1;
+      EXPECT_EQ(sign, sign_of(u.sense * v.sense * turn));
+    }
+  for (const PlaneId s : g.planes.ids())
+    for (const PointId p : g.positions.ids()) {
+      const Flat& u = flats[s.value()];
+      const double at = component(g.position(p), u.axis);
+      EXPECT_EQ(kernel.side(p, s), sign_of(u.sense * ((at > u.at) - (at < u.at))));
+    }
+}
+
+TEST(Kernel, CoplanarPlanes) {
+  in_many_scenes([](Scene& s) {
+    const std::size_t a = s.any_plane(), b = s.any_plane();
+    const Vector n = cross(s.planes[a].n, s.planes[b].n);
+    bool same = n == Vector{0, 0, 0};
+    for (std::size_t k = 0; k < 3; ++k)
+      same = same && s.planes[a].n[k] * s.planes[b].d == s.planes[b].n[k] * s.planes[a].d;
+    ASSERT_EQ(s.kernel->coplanar(PlaneId(a), PlaneId(b)), same);
+  });
+}
+
+TEST(Kernel, OrderAndCoincidenceOfPoints) {
+  in_many_scenes([](Scene& s) {
+    const std::size_t p = s.any_point(), q = s.any_point();
+    for (std::size_t k = 0; k < 3; ++k)
+      ASSERT_EQ(s.kernel->compare(PointId(p), PointId(q), static_cast<int>(k)),
+                rational_sign(s.points[q][k] - s.points[p][k]));
+    ASSERT_EQ(s.kernel->same_point(PointId(p), PointId(q)), s.points[p] == s.points[q]);
+  });
+}
+
+TEST(Kernel, TurnSeenAlongAnAxis) {
+  in_many_scenes([](Scene& s) {
+    const std::size_t p = s.any_point(), q = s.any_point(), r = s.any_point();
+    const Vector n = cross(minus(s.points[q], s.points[p]), minus(s.points[r], s.points[p]));
+    for (std::size_t k = 0; k < 3; ++k)
+      ASSERT_EQ(s.kernel->turn(PointId(p), PointId(q), PointId(r), static_cast<int>(k)),
+                rational_sign(n[k]));
+  });
+}
+
+// Whatever is asked about the others, too.
+TEST(Kernel, OfSomePlanesDecidesTheSame) {
+  in_many_scenes([](Scene& s) {
+    const std::array<PlaneId, 2> some{PlaneId(s.any_plane()), PlaneId(s.any_plane())};
+    const Kernel kernel(s.geometry, some);
+    const std::size_t p = s.any_point(), q = s.any_point(), r = s.any_point();
+    const PlaneId a(s.any_plane()), b(s.any_plane()), c(s.any_plane());
+    ASSERT_EQ(kernel.side(PointId(p), a), s.kernel->side(PointId(p), a));
+    ASSERT_EQ(kernel.det(a, b, c), s.kernel->det(a, b, c));
+    ASSERT_EQ(kernel.coplanar(a, b), s.kernel->coplanar(a, b));
+    ASSERT_EQ(kernel.cross_axis(a, b) < 0, s.kernel->cross_axis(a, b) < 0);
+    ASSERT_NE(kernel.normal(a, kernel.main_axis(a)), Sign::zero);
+    for (int k = 0; k < 3; ++k) {
+      ASSERT_EQ(kernel.normal(a, k), s.kernel->normal(a, k));
+      ASSERT_EQ(kernel.compare(PointId(p), PointId(q), k),
+                s.kernel->compare(PointId(p), PointId(q), k));
+      ASSERT_EQ(kernel.turn(PointId(p), PointId(q), PointId(r), k),
+                s.kernel->turn(PointId(p), PointId(q), PointId(r), k));
+    }
+  });
+}
+
+struct Crossing {
+  PointId u, v;  // on different sides of the plane
+  Probe probe;
+  Vector at;
+};
+
+// Of random lines with planes.
+template <class Check>
+void with_crossings(const Check& check) {
+  in_many_scenes([&](Scene& s) {
+    const std::size_t u = s.any_point(), v = s.any_point(), f = s.any_plane();
+    if (u >= Scene::given_points || v >= Scene::given_points) return;
+    const auto value = [&](std::size_t p) -> Rational {
+      return dot(s.planes[f].n, s.points[p]) + s.planes[f].d;
+    };
+    const Rational at_u = value(u), at_v = value(v);
+    if (!(at_u * at_v < 0)) return;
+    Vector at;
+    for (std::size_t k = 0; k < 3; ++k)
+      at[k] = (s.points[u][k] * at_v - s.points[v][k] * at_u) / (at_v - at_u);
+    const Construction how{PlaneId(), PlaneId(), PlaneId(f), PointId(u), PointId(v)};
+    check(s, Crossing{how.line_from, how.line_to, Probe(*s.kernel, how.line_from, how.line_to, how),
+                      at});
+  });
+}
+
+TEST(Probe, SidesOfCrossings) {
+  with_crossings([](Scene& s, const Crossing& c) {
+    const std::size_t g = s.any_plane();
+    ASSERT_EQ(c.probe.side(PlaneId(g)), rational_sign(dot(s.planes[g].n, c.at) + s.planes[g].d));
+  });
+}
+
+TEST(Probe, OrderOfCrossingsAndPoints) {
+  with_crossings([](Scene& s, const Crossing& c) {
+    const std::size_t q = s.any_point();
+    for (std::size_t k = 0; k < 3; ++k)
+      ASSERT_EQ(c.probe.compare(PointId(q), static_cast<int>(k)),
+                rational_sign(s.points[q][k] - c.at[k]));
+  });
+}
+
+// Doubles tell the truth, or nothing.
+TEST(Probe, ClearTurns) {
+  int clear = 0, all = 0;
+  const auto expect_true = [&](Scene& s, const Probe& probe, const Vector& at) {
+    const std::size_t p = s.any_point(), q = s.any_point();
+    const Vector n = cross(minus(s.points[q], s.points[p]), minus(at, s.points[p]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      ++all;
+      const Sign turn = probe.clear_turn(PointId(p), PointId(q), static_cast<int>(k));
+      if (turn == Sign::zero) continue;
+      ++clear;
+      ASSERT_EQ(turn, rational_sign(n[k]));
+    }
+  };
+  with_crossings([&](Scene& s, const Crossing& c) {
+    expect_true(s, c.probe, c.at);
+    // The line that crosses: there is no turn.
+    for (int k = 0; k < 3; ++k) ASSERT_EQ(c.probe.clear_turn(c.u, c.v, k), Sign::zero);
+  });
+  in_many_scenes([&](Scene& s) {
+    const std::size_t r = s.any_point();
+    expect_true(s, Probe(*s.kernel, PointId(r)), s.points[r]);
+  });
+  EXPECT_GT(clear, all / 4);
+}
+
+}  // namespace
+}  // namespace sectile::test

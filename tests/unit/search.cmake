@@ -1,7 +1,0 @@
-sectile_test(free_stretches_test SOURCES free_stretches_test.cpp)
-sectile_test(box_tree_test SOURCES box_tree_test.cpp box_index_test.cpp bucket_sort_test.cpp place_set_test.cpp box_search_test.cpp oriented_index_test.cpp edges_by_line_test.cpp along_line_test.cpp)
-sectile_test(curve_order_test SOURCES curve_order_test.cpp)
-sectile_test(hull_test SOURCES hull_test.cpp)
-sectile_test(space_partition_test SOURCES space_partition_test.cpp)
-sectile_test(outline_tree_test SOURCES outline_tree_test.cpp)
-sectile_test(equal_elements_test SOURCES equal_elements_test.cpp)

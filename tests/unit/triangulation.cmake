@@ -1,1 +1,0 @@
-sectile_test(triangulation_test SOURCES triangulation_test.cpp polygon_triangles_test.cpp mesh_regions.cpp)
