@@ -1,3 +1,11 @@
+# Options for what is not the work itself: it compiles faster so. Under the sanitizers, a third of
+# that time would go there.
+if(SECTILE_SANITIZE)
+  set(SECTILE_OPTIMISE_A_LITTLE -O0)
+else()
+  set(SECTILE_OPTIMISE_A_LITTLE $<$<CONFIG:Release>:-O1>)
+endif()
+
 # sectile_target(NAME): the language standard, warnings and sanitizers that all targets share.
 function(sectile_target name)
   target_compile_features(${name} PUBLIC cxx_std_20)
