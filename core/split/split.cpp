@@ -63,6 +63,22 @@ void load(Workspace& w, const SolidData& solid, const HalfSpace& h, std::uint32_
   for (const FaceId f : faces) pairs.push_back({loaded_face(w.patch[Operand::a], f), FaceId(0)});
 }
 
+// Caps come from the plane. Blocks of triangles that came in together have none, and their
+// structure is not made for this.
+void add_caps(const Slot& slot, std::uint32_t plane_origin, Section& section) {
+  if (slot.empty() || slot.block->compact_triangles()) return;
+  const Brep& brep = slot.block->brep();
+  for (const FaceId f : brep.faces()) {
+    if (brep.source[f].solid != plane_origin) continue;
+    for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l]) {
+      std::vector<Vec3>& loop = section.loops.emplace_back();
+      for_each_in_loop(slot, l, [&](HalfEdgeId h) {
+        loop.push_back(slot.block->geometry().position(slot.start_of(h)));
+      });
+    }
+  }
+}
+
 }  // namespace
 
 std::pair<Solid, Solid> split(const Solid& solid, const HalfSpace& half_space) {
@@ -101,16 +117,7 @@ Section section(const Solid& solid, const HalfSpace& half_space, const BooleanOp
   // The caps of the part below have the normal of the plane.
   const Solid part = assemble(w, cut(w, pairs, {wanted}), below, 0);
   if (part.is_empty()) return result;
-  const Brep& brep = part.data()->brep();
-  for (const FaceId f : brep.faces()) {
-    if (brep.source[f].solid != origin) continue;
-    for (LoopId l = brep.outer_loop[f]; l.valid(); l = brep.next_loop[l]) {
-      auto& loop = result.loops.emplace_back();
-      for_each_in_loop(brep, l, [&](HalfEdgeId h) {
-        loop.push_back(part.data()->geometry().position(brep.point_of(brep.from(h))));
-      });
-    }
-  }
+  for (const Slot& slot : part.data()->slots()) add_caps(slot, origin, result);
   return result;
 }
 

@@ -296,5 +296,15 @@ TEST(Growth, TwoVersionsOfAMeshOfWhichOneHasASmallDent) {
   EXPECT_LT(steps_of_versions_for_each_face(versions), 2500);
 }
 
+// Four times as many faces make it twice as long.
+TEST(Growth, SectionsOfAFineSolid) {
+  const auto section_of_ball = [](std::size_t n) {
+    const auto work = [solid = Solid::from_mesh(ball(n))] { section(solid, {0.1, 0.2, 1, 0.1}); };
+    work();  // finds what blocks keep
+    return work;
+  };
+  EXPECT_LT(growth(section_of_ball, 40000), 0.65);
+}
+
 }  // namespace
 }  // namespace sectile
