@@ -1,5 +1,5 @@
-# Options for what is not the work itself: it compiles faster so. Under the sanitizers, a third of
-# that time would go there.
+# Options for what is not the work itself: to compile it takes less time so. Under the sanitizers, a
+# third of what compiling takes would go into optimising tests.
 if(SECTILE_SANITIZE)
   set(SECTILE_OPTIMISE_A_LITTLE -O0)
 else()

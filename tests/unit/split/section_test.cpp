@@ -6,16 +6,13 @@
 
 #include "sectile/sectile.h"
 #include "storage/solid_data.h"
+#include "unit/split/vectors.h"
 
 namespace sectile {
 namespace {
 
-double dot(const Vec3& a, const Vec3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+using test::cross, test::dot;
+
 double value(const HalfSpace& h, const Vec3& p) {
   return h.a * p.x + h.b * p.y + h.c * p.z + h.d;
 }

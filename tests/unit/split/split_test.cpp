@@ -5,16 +5,12 @@
 #include <stdexcept>
 
 #include "sectile/sectile.h"
+#include "unit/split/vectors.h"
 
 namespace sectile {
 namespace {
 
-Vec3 difference(const Vec3& a, const Vec3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+using test::cross, test::difference;
 
 // From short whole numbers: all of it is exact.
 struct Plane {
