@@ -70,10 +70,11 @@ void BoxSearch::visit_along(const Vec3& origin, const Vec3& direction, double ma
     BoxTree::Node node;
     double entry;
   };
-  // Below each node one child waits while the other is looked into.
-  Waiting stack[64];
-  int top = 0;
-  const BoxTree::Node root{tree_->level_count() - 1, 0};
+  // Below each node all children but one wait while that is looked into.
+  constexpr std::size_t most_levels = 16;
+  Waiting stack[most_levels * (BoxTree::width - 1) + 1];
+  std::size_t top = 0;
+  const BoxTree::Node root = tree_->root();
   stack[top++] = {root, line.entry(tree_->box(root))};
   while (top > 0) {
     const auto [node, entry] = stack[--top];
@@ -83,14 +84,14 @@ void BoxSearch::visit_along(const Vec3& origin, const Vec3& direction, double ma
       for (const std::uint32_t thing : tree_->items(node)) visit(thing);
       continue;
     }
-    const BoxTree::Node first{node.level - 1, 2 * node.index}, second{first.level, first.index + 1};
-    Waiting near{first, line.entry(tree_->box(first))};
-    if (second.index < tree_->node_count(second.level)) {
-      Waiting far{second, line.entry(tree_->box(second))};
-      if (far.entry < near.entry) std::swap(near, far);
-      stack[top++] = far;
+    const std::size_t first = top;
+    for (std::uint32_t i = 0; i < tree_->child_count(node); ++i) {
+      const BoxTree::Node child = BoxTree::child(node, i);
+      Waiting next{child, line.entry(tree_->box(child))};
+      std::size_t at = top++;  // the nearest one last
+      for (; at > first && stack[at - 1].entry < next.entry; --at) stack[at] = stack[at - 1];
+      stack[at] = next;
     }
-    stack[top++] = near;
   }
 }
 

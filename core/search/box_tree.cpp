@@ -22,15 +22,14 @@ void for_range(std::size_t count, const Body& body) {
   }
 }
 
-std::vector<Box> pairs_above(const std::vector<Box>& below) {
-  std::vector<Box> level((below.size() + 1) / 2);
-  for_range(level.size(), [&](std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < to; ++i) {
-      level[i] = below[2 * i];
-      if (2 * i + 1 < below.size()) level[i].add(below[2 * i + 1]);
-    }
+// The boxes of so many nodes above others.
+std::vector<FourBoxes> in_fours(std::size_t count, const auto& box) {
+  std::vector<FourBoxes> fours((count + BoxTree::width - 1) / BoxTree::width);
+  for_range(fours.size(), [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from * BoxTree::width; i < std::min(count, to * BoxTree::width); ++i)
+      fours[i / BoxTree::width].set(i % BoxTree::width, box(i));
   });
-  return level;
+  return fours;
 }
 
 std::vector<std::uint32_t> as_given(std::size_t count) {
@@ -86,42 +85,37 @@ BoxTree::BoxTree(const std::vector<Box>& boxes, const std::vector<std::uint32_t>
   if (boxes.empty()) return;
   items_ = along_curve ? as_given(boxes.size()) : sorted_along_curve(boxes);
   if (!group.empty() && !along_curve) put_groups_together(items_, boxes, group);
-  std::vector<Box> leaves((boxes.size() + leaf_size - 1) / leaf_size);
-  leaf_boxes_.resize(leaves.size());
-  for_range(leaves.size(), [&](std::size_t from, std::size_t to) {
-    for (std::size_t leaf = from; leaf < to; ++leaf) {
-      const auto [begin, end] = range(static_cast<std::uint32_t>(leaf));
-      for (std::uint32_t i = begin; i < end; ++i) {
-        const Box& box = boxes[items_[i]];
-        leaf_boxes_[leaf].set(i - begin, box);
-        leaves[leaf].add(box);
-      }
-    }
-  });
-  levels_.push_back(std::move(leaves));
-  while (levels_.back().size() > 1) levels_.push_back(pairs_above(levels_.back()));
+  boxes_ = in_fours(boxes.size(), [&](std::size_t i) -> const Box& { return boxes[items_[i]]; });
+  first_ = {0, static_cast<std::uint32_t>(boxes_.size())};
+  while (node_count(level_count() - 1) > 1) {
+    const std::uint32_t from = first_[level_count() - 1];
+    const std::vector<FourBoxes> above = in_fours(
+        node_count(level_count() - 1), [&](std::size_t i) { return boxes_[from + i].all(); });
+    boxes_.insert(boxes_.end(), above.begin(), above.end());
+    first_.push_back(static_cast<std::uint32_t>(boxes_.size()));
+  }
+  bounds_ = boxes_.back().all();
   if (!group.empty()) build_groups(group);
 }
 
 void BoxTree::build_groups(const std::vector<std::uint32_t>& group) {
   item_groups_.reserve(items_.size());
   for (const std::uint32_t item : items_) item_groups_.push_back(group[item]);
-  const auto common = [](std::uint32_t g, std::uint32_t h) { return g == h ? g : no_group; };
-  std::vector<std::uint32_t> leaves(levels_[0].size());
-  for (std::uint32_t leaf = 0; leaf < leaves.size(); ++leaf) {
-    const auto [begin, end] = range(leaf);
-    leaves[leaf] = item_groups_[begin];
-    for (std::uint32_t i = begin; i < end; ++i)
-      leaves[leaf] = common(leaves[leaf], item_groups_[i]);
-  }
-  group_levels_.push_back(std::move(leaves));
-  while (group_levels_.size() < levels_.size()) {
-    const std::vector<std::uint32_t>& below = group_levels_.back();
-    std::vector<std::uint32_t> level((below.size() + 1) / 2);
-    for (std::size_t i = 0; i < level.size(); ++i)
-      level[i] = common(below[2 * i], below[std::min(2 * i + 1, below.size() - 1)]);
-    group_levels_.push_back(std::move(level));
-  }
+  groups_.reserve(boxes_.size());
+  const auto add_common = [&](const std::vector<std::uint32_t>& of, std::size_t from,
+                              std::size_t to) {
+    const std::uint32_t first = of[from];
+    while (from < to && of[from] == first) ++from;
+    groups_.push_back(from == to ? first : no_group);
+  };
+  for (std::uint32_t leaf = 0; leaf < node_count(0); ++leaf)
+    add_common(item_groups_, leaf * width,
+               std::min<std::size_t>(item_groups_.size(), (leaf + 1) * width));
+  for (std::uint32_t level = 1; level < level_count(); ++level)
+    for (std::uint32_t n = 0; n < node_count(level); ++n) {
+      const std::uint32_t from = first_[level - 1] + n * width;
+      add_common(groups_, from, from + child_count({level, n}));
+    }
 }
 
 std::vector<BoxTree::SelfPart> BoxTree::self_parts(std::size_t least) const {
@@ -131,15 +125,11 @@ std::vector<BoxTree::SelfPart> BoxTree::self_parts(std::size_t least) const {
   for (std::uint32_t level = root().level; level > 0 && parts.size() < least; --level) {
     std::vector<SelfPart> finer;
     for (const SelfPart& part : parts)
-      for (std::uint32_t i = 0; i < 2; ++i) {
-        const bool same = part.p.index == part.q.index;
-        if (i == 1 && !has_second_child(part.p)) continue;
-        for (std::uint32_t j = same ? i : 0; j < 2; ++j) {
-          if (j == 1 && !has_second_child(part.q)) continue;
+      for (std::uint32_t i = 0; i < child_count(part.p); ++i)
+        for (std::uint32_t j = part.p.index == part.q.index ? i : 0; j < child_count(part.q); ++j) {
           const Node p = child(part.p, i), q = child(part.q, j);
           if (box(p).overlaps(box(q))) finer.push_back(SelfPart(p, q));
         }
-      }
     parts = std::move(finer);
   }
   return parts;

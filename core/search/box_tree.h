@@ -1,7 +1,8 @@
-// A bounding volume hierarchy over boxes: leaves in the order of a curve, levels of pairs above
-// them.
+// A bounding volume hierarchy over boxes: leaves in the order of a curve, levels of fours above
+// them. What is under a node is compared with a box at one go.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -14,7 +15,7 @@ namespace sectile {
 
 class BoxTree {
  public:
-  static constexpr std::uint32_t leaf_size = 4;
+  static constexpr std::uint32_t width = 4;  // items of a leaf, nodes below another one
 
   BoxTree() = default;
   /// Takes the boxes of items 0 … boxes.size() - 1. If not empty, `group` puts each item into a
@@ -25,7 +26,30 @@ class BoxTree {
   static constexpr std::uint32_t no_group = 0xFFFFFFFFu;
 
   bool empty() const { return items_.empty(); }
-  const Box& bounds() const { return levels_.back().front(); }
+  const Box& bounds() const { return bounds_; }
+
+  /// A leaf (on level 0) or what is above leaves.
+  struct Node {
+    std::uint32_t level, index;
+  };
+  /// Of a tree that is not empty.
+  Node root() const { return {level_count() - 1, 0}; }
+  std::uint32_t level_count() const { return static_cast<std::uint32_t>(first_.size()) - 1; }
+  std::uint32_t node_count(std::uint32_t level) const { return first_[level + 1] - first_[level]; }
+  Box box(Node n) const {
+    if (n.level + 1 == level_count()) return bounds_;
+    return below({n.level + 1, n.index / width}).get(n.index % width);
+  }
+  /// Of a node that is no leaf.
+  std::uint32_t child_count(Node n) const {
+    return std::min(width, node_count(n.level - 1) - n.index * width);
+  }
+  static Node child(Node n, std::uint32_t which) { return {n.level - 1, n.index * width + which}; }
+  /// The items under a node.
+  std::span<const std::uint32_t> items(Node n) const {
+    const std::size_t under = std::size_t(width) << 2 * n.level, from = n.index * under;
+    return std::span(items_).subspan(from, std::min(under, items_.size() - from));
+  }
 
   /// Calls visit(item) for every item whose box satisfies meets(box); meets must hold for any box
   /// that contains a box for which it holds.
@@ -36,14 +60,29 @@ class BoxTree {
   /// The same without the items whose group satisfies skip(group).
   template <class Meets, class Visit, class Skip>
   void query(const Meets& meets, Visit&& visit, const Skip& skip) const {
-    if (!empty()) query(root(), meets, visit, skip);
+    if (!empty() && meets(bounds_)) query(root(), meets, visit, skip);
   }
 
-  /// The same, where meets(node) tells it of all that is under a node, too. Of two parts that one
-  /// is visited first for which before(node, other) holds.
+  /// The same, where meets(node) tells it of all that is under a node, too. Of the parts of a node
+  /// that one is visited first for which before(node, other) holds.
   template <class Meets, class Before, class Visit>
   void query_in_order(const Meets& meets, const Before& before, Visit&& visit) const {
     if (!empty()) query_in_order(root(), meets, before, visit);
+  }
+  /// The nodes below one that is no leaf, so that none comes for which before(it, an earlier one)
+  /// holds: the first so many of them.
+  template <class Before>
+  std::pair<std::array<Node, width>, std::uint32_t> children_in_order(Node n,
+                                                                      const Before& before) const {
+    std::array<Node, width> children{};
+    const std::uint32_t count = child_count(n);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Node next = child(n, i);
+      std::uint32_t at = i;
+      for (; at > 0 && before(next, children[at - 1]); --at) children[at] = children[at - 1];
+      children[at] = next;
+    }
+    return {children, count};
   }
 
   /// Calls visit(item of a, item of b) for every pair of overlapping boxes.
@@ -57,32 +96,23 @@ class BoxTree {
     overlaps(a, b, visit, skip, NothingApart());
   }
 
-  /// A leaf (on level 0) or what is above leaves.
-  struct Node {
-    std::uint32_t level, index;
-  };
-  /// What more is known to be apart than boxes say: two nodes, an item of a and all in a smaller
-  /// box of b, and the other way around.
+  /// What more is known to be apart than boxes say: two nodes; of items of a leaf (bits) those
+  /// which are not apart from what is in a box of the other tree, and those of b which are not
+  /// apart from an item of a.
   struct NothingApart {
     bool nodes(Node, Node) const { return false; }
-    bool item_of_a(std::uint32_t, const Box&) const { return false; }
-    bool item_of_b(std::uint32_t, const Box&) const { return false; }
+    unsigned near_in_a(std::uint32_t, unsigned items, const Box&) const { return items; }
+    unsigned near_in_b(std::uint32_t, unsigned items, const Box&) const { return items; }
+    unsigned near_item(std::uint32_t, unsigned, std::uint32_t, unsigned items) const {
+      return items;
+    }
   };
   /// The same without what `apart` knows to be apart.
   template <class Visit, class Skip, class Apart>
   static void overlaps(const BoxTree& a, const BoxTree& b, Visit&& visit, const Skip& skip,
                        const Apart& apart) {
-    if (a.empty() || b.empty()) return;
-    overlaps(a, a.root(), b, b.root(), visit, skip, apart);
-  }
-
-  std::uint32_t level_count() const { return static_cast<std::uint32_t>(levels_.size()); }
-  std::size_t node_count(std::uint32_t level) const { return levels_[level].size(); }
-  const Box& box(Node n) const { return levels_[n.level][n.index]; }
-  /// The items under a node.
-  std::span<const std::uint32_t> items(Node n) const {
-    const std::size_t width = std::size_t(leaf_size) << n.level, from = n.index * width;
-    return std::span(items_).subspan(from, std::min(width, items_.size() - from));
+    if (a.empty() || b.empty() || !a.bounds_.overlaps(b.bounds_)) return;
+    overlaps(a, a.root(), a.bounds_, b, b.root(), b.bounds_, visit, skip, apart);
   }
 
   /// A part of all pairs of a tree's own items: those of two nodes, or of one node.
@@ -105,29 +135,22 @@ class BoxTree {
   void self_overlaps(const SelfPart& part, Visit&& visit, const Apart& apart) const;
 
  private:
-  Node root() const { return {static_cast<std::uint32_t>(levels_.size() - 1), 0}; }
-  bool has_second_child(Node n) const {
-    return 2 * std::size_t(n.index) + 1 < levels_[n.level - 1].size();
-  }
-  static Node child(Node n, std::uint32_t which) { return {n.level - 1, 2 * n.index + which}; }
-  std::pair<std::uint32_t, std::uint32_t> range(std::uint32_t leaf) const {
-    const auto count = static_cast<std::uint32_t>(items_.size());
-    return {leaf * leaf_size, std::min(count, (leaf + 1) * leaf_size)};
-  }
+  /// The boxes of the nodes or items below a node.
+  const FourBoxes& below(Node n) const { return boxes_[first_[n.level] + n.index]; }
+  std::uint32_t group(Node n) const { return groups_[first_[n.level] + n.index]; }
 
   template <class Visit, class Skip, class Apart>
-  static void overlaps(const BoxTree& a, Node p, const BoxTree& b, Node q, Visit& visit,
-                       const Skip& skip, const Apart& apart);
+  static void overlaps(const BoxTree& a, Node p, const Box& box_of_p, const BoxTree& b, Node q,
+                       const Box& box_of_q, Visit& visit, const Skip& skip, const Apart& apart);
+  template <class Visit, class Skip, class Apart>
+  static void overlaps_of_leaves(const BoxTree& a, std::uint32_t p, unsigned near_in_p,
+                                 const BoxTree& b, std::uint32_t q, unsigned near_in_q,
+                                 Visit& visit, const Skip& skip, const Apart& apart);
+  bool has_groups() const { return !groups_.empty(); }
   template <class Skip>
-  static bool skips(const BoxTree& a, Node p, const BoxTree& b, Node q, const Skip& skip) {
-    if (a.group_levels_.empty() || b.group_levels_.empty()) return false;
-    const std::uint32_t g = a.group_levels_[p.level][p.index],
-                        h = b.group_levels_[q.level][q.index];
-    return g != no_group && h != no_group && skip(g, h);
+  static bool skips(std::uint32_t group_of_a, std::uint32_t group_of_b, const Skip& skip) {
+    return group_of_a != no_group && group_of_b != no_group && skip(group_of_a, group_of_b);
   }
-  static_assert(leaf_size == 4);  // as many as FourBoxes
-  template <class IsApart>
-  unsigned near_items(std::uint32_t leaf, const Box& box, const IsApart& is_apart) const;
   /// Calls visit(i), ascending, for all bits i that are set.
   template <class Visit>
   static void for_each_bit(unsigned bits, const Visit& visit) {
@@ -135,124 +158,117 @@ class BoxTree {
   }
   void build_groups(const std::vector<std::uint32_t>& group);
   bool are_of_one_group(std::uint32_t i, std::uint32_t j) const {
-    return !item_groups_.empty() && item_groups_[i] != no_group &&
-           item_groups_[i] == item_groups_[j];
+    return has_groups() && item_groups_[i] != no_group && item_groups_[i] == item_groups_[j];
   }
 
   template <class Meets, class Visit, class Skip>
   void query(Node n, const Meets& meets, Visit& visit, const Skip& skip) const {
-    if (!meets(box(n))) return;
     const auto is_skipped = [&](std::uint32_t group) { return group != no_group && skip(group); };
-    if (!group_levels_.empty() && is_skipped(group_levels_[n.level][n.index])) return;
-    if (n.level > 0) {
-      query(child(n, 0), meets, visit, skip);
-      if (has_second_child(n)) query(child(n, 1), meets, visit, skip);
+    if (has_groups() && is_skipped(group(n))) return;
+    if (n.level == 0) {
+      visit_leaf(n, meets, [&](std::uint32_t i) {
+        if (!has_groups() || !is_skipped(item_groups_[i])) visit(items_[i]);
+      });
       return;
     }
-    visit_leaf(n, meets, [&](std::uint32_t i) {
-      if (item_groups_.empty() || !is_skipped(item_groups_[i])) visit(items_[i]);
-    });
+    const std::uint32_t count = child_count(n);
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (meets(below(n).get(i))) query(child(n, i), meets, visit, skip);
   }
   template <class Meets, class Before, class Visit>
   void query_in_order(Node n, const Meets& meets, const Before& before, Visit& visit) const {
     if (!meets(n)) return;
     if (n.level == 0) return visit_leaf(n, meets, [&](std::uint32_t i) { visit(items_[i]); });
-    Node first = child(n, 0), second = child(n, 1);
-    if (!has_second_child(n)) return query_in_order(first, meets, before, visit);
-    if (before(second, first)) std::swap(first, second);
-    query_in_order(first, meets, before, visit);
-    query_in_order(second, meets, before, visit);
+    const auto [children, count] = children_in_order(n, before);
+    for (std::uint32_t i = 0; i < count; ++i) query_in_order(children[i], meets, before, visit);
   }
   template <class Meets, class Visit>
   void visit_leaf(Node leaf, const Meets& meets, const Visit& visit) const {
-    const auto [from, to] = range(leaf.index);
-    for (std::uint32_t i = from; i < to; ++i)
-      if (meets(leaf_boxes_[leaf.index].get(i - from))) visit(i);
+    const auto from = leaf.index * width;
+    const auto count = static_cast<std::uint32_t>(items(leaf).size());
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (meets(below(leaf).get(i))) visit(from + i);
   }
 
-  std::vector<std::uint32_t> items_;      // in the order of a curve
-  std::vector<FourBoxes> leaf_boxes_;     // those of the items of each leaf
-  std::vector<std::vector<Box>> levels_;  // leaves first, the root last
+  std::vector<std::uint32_t> items_;  // in the order of a curve
+  std::vector<FourBoxes> boxes_;      // of what is below each node, leaves first, the root last
+  std::vector<std::uint32_t> first_;  // per level, among all nodes; at last, the number of nodes
+  Box bounds_;
   // The common group of all items of a node, or no_group. Empty if there are no groups.
-  std::vector<std::uint32_t> item_groups_;
-  std::vector<std::vector<std::uint32_t>> group_levels_;
+  std::vector<std::uint32_t> item_groups_, groups_;
 };
 
 template <class Visit, class Apart>
 void BoxTree::self_overlaps(const SelfPart& part, Visit&& visit, const Apart& apart) const {
   const auto [p, q] = std::pair(part.p, part.q);
   if (p.level != q.level || p.index != q.index) {
+    const Box box_of_p = box(p), box_of_q = box(q);
+    if (!box_of_p.overlaps(box_of_q)) return;
     overlaps(
-        *this, p, *this, q, visit, [](std::uint32_t g, std::uint32_t h) { return g == h; }, apart);
+        *this, p, box_of_p, *this, q, box_of_q, visit,
+        [](std::uint32_t g, std::uint32_t h) { return g == h; }, apart);
     return;
   }
-  if (!group_levels_.empty() && group_levels_[p.level][p.index] != no_group) return;
+  if (has_groups() && group(p) != no_group) return;
+  const FourBoxes& boxes = below(p);
+  const auto for_each_later = [&](unsigned i, const auto& visit_other) {
+    for_each_bit(boxes.overlapping(boxes.get(i)) & (0xEu << i), visit_other);
+  };
   if (p.level > 0) {
-    const Node first = child(p, 0);
-    self_overlaps(SelfPart(first, first), visit, apart);
-    if (!has_second_child(p)) return;
-    const Node second = child(p, 1);
-    self_overlaps(SelfPart(second, second), visit, apart);
-    self_overlaps(SelfPart(first, second), visit, apart);
+    const std::uint32_t count = child_count(p);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      self_overlaps(SelfPart(child(p, i), child(p, i)), visit, apart);
+      for_each_later(
+          i, [&](unsigned j) { self_overlaps(SelfPart(child(p, i), child(p, j)), visit, apart); });
+    }
     return;
   }
-  const auto [from, to] = range(p.index);
-  const FourBoxes& boxes = leaf_boxes_[p.index];
-  for (std::uint32_t i = from; i + 1 < to; ++i) {
-    const unsigned later = 0xEu << (i - from);
-    for_each_bit(boxes.overlapping(boxes.get(i - from)) & later, [&, first = from](unsigned l) {
-      if (!are_of_one_group(i, first + l)) visit(items_[i], items_[first + l]);
+  const std::uint32_t first = p.index * width;
+  for (std::uint32_t i = 0; i + 1 < items(p).size(); ++i)
+    for_each_later(i, [&](unsigned j) {
+      if (!are_of_one_group(first + i, first + j)) visit(items_[first + i], items_[first + j]);
     });
-  }
 }
 
 template <class Visit, class Skip, class Apart>
-void BoxTree::overlaps(const BoxTree& a, Node p, const BoxTree& b, Node q, Visit& visit,
-                       const Skip& skip, const Apart& apart) {
-  if (!a.box(p).overlaps(b.box(q)) || skips(a, p, b, q, skip) || apart.nodes(p, q)) return;
-  if (p.level == 0 || q.level == 0) {
-    const auto of_a = [&](std::uint32_t item) { return apart.item_of_a(item, b.box(q)); };
-    const auto of_b = [&](std::uint32_t item) { return apart.item_of_b(item, a.box(p)); };
-    const unsigned near_a = p.level == 0 ? a.near_items(p.index, b.box(q), of_a) : 1;
-    if (near_a == 0) return;
-    const unsigned near_b = q.level == 0 ? b.near_items(q.index, a.box(p), of_b) : 1;
-    if (near_b == 0) return;
-    if (p.level == 0 && q.level == 0) {
-      const bool grouped = !a.item_groups_.empty() && !b.item_groups_.empty();
-      const FourBoxes &boxes_of_a = a.leaf_boxes_[p.index], &boxes_of_b = b.leaf_boxes_[q.index];
-      for_each_bit(near_a, [&](unsigned k) {
-        const std::uint32_t i = p.index * leaf_size + k;
-        for_each_bit(near_b & boxes_of_b.overlapping(boxes_of_a.get(k)), [&](unsigned l) {
-          const std::uint32_t j = q.index * leaf_size + l;
-          if (grouped && a.item_groups_[i] != no_group && b.item_groups_[j] != no_group &&
-              skip(a.item_groups_[i], b.item_groups_[j]))
-            return;
-          visit(a.items_[i], b.items_[j]);
-        });
-      });
-      return;
-    }
-  }
+void BoxTree::overlaps(const BoxTree& a, Node p, const Box& box_of_p, const BoxTree& b, Node q,
+                       const Box& box_of_q, Visit& visit, const Skip& skip, const Apart& apart) {
+  if (a.has_groups() && b.has_groups() && skips(a.group(p), b.group(q), skip)) return;
+  if (apart.nodes(p, q)) return;
+  unsigned near_in_p = a.below(p).overlapping(box_of_q),
+           near_in_q = b.below(q).overlapping(box_of_p);
+  if (p.level == 0) near_in_p = apart.near_in_a(p.index, near_in_p, box_of_q);
+  if (near_in_p == 0) return;
+  if (q.level == 0) near_in_q = apart.near_in_b(q.index, near_in_q, box_of_p);
+  if (near_in_q == 0) return;
+  if (p.level == 0 && q.level == 0)
+    return overlaps_of_leaves(a, p.index, near_in_p, b, q.index, near_in_q, visit, skip, apart);
   // The larger one first, so that large items meet nodes that are small beside them.
-  if (p.level > 0 && (q.level == 0 || !b.box(q).is_larger_than(a.box(p)))) {
-    overlaps(a, child(p, 0), b, q, visit, skip, apart);
-    if (a.has_second_child(p)) overlaps(a, child(p, 1), b, q, visit, skip, apart);
-  } else {
-    overlaps(a, p, b, child(q, 0), visit, skip, apart);
-    if (b.has_second_child(q)) overlaps(a, p, b, child(q, 1), visit, skip, apart);
-  }
+  if (p.level > 0 && (q.level == 0 || !box_of_q.is_larger_than(box_of_p)))
+    for_each_bit(near_in_p, [&](unsigned i) {
+      overlaps(a, child(p, i), a.below(p).get(i), b, q, box_of_q, visit, skip, apart);
+    });
+  else
+    for_each_bit(near_in_q, [&](unsigned i) {
+      overlaps(a, p, box_of_p, b, child(q, i), b.below(q).get(i), visit, skip, apart);
+    });
 }
 
-// Bits: those of a leaf that may meet what is in a box, as far as boxes tell, and, if they are
-// larger, is_apart(item).
-template <class IsApart>
-unsigned BoxTree::near_items(std::uint32_t leaf, const Box& box, const IsApart& is_apart) const {
-  unsigned near = leaf_boxes_[leaf].overlapping(box);
-  for_each_bit(near, [&](unsigned i) {
-    if (leaf_boxes_[leaf].get(i).is_larger_than(box) && is_apart(items_[leaf * leaf_size + i]))
-      near &= ~(1u << i);
+template <class Visit, class Skip, class Apart>
+void BoxTree::overlaps_of_leaves(const BoxTree& a, std::uint32_t p, unsigned near_in_p,
+                                 const BoxTree& b, std::uint32_t q, unsigned near_in_q,
+                                 Visit& visit, const Skip& skip, const Apart& apart) {
+  const bool grouped = a.has_groups() && b.has_groups();
+  const FourBoxes &boxes_of_p = a.below({0, p}), &boxes_of_q = b.below({0, q});
+  for_each_bit(near_in_p, [&](unsigned k) {
+    unsigned near = near_in_q & boxes_of_q.overlapping(boxes_of_p.get(k));
+    if (near != 0) near = apart.near_item(p, k, q, near);
+    for_each_bit(near, [&](unsigned l) {
+      const std::uint32_t i = p * width + k, j = q * width + l;
+      if (grouped && skips(a.item_groups_[i], b.item_groups_[j], skip)) return;
+      visit(a.items_[i], b.items_[j]);
+    });
   });
-  return near;
 }
 
 }  // namespace sectile

@@ -2,7 +2,6 @@
 
 #include "numbers/rounding.h"
 #include "search/approximate.h"
-#include "search/face_corners.h"
 
 namespace sectile {
 
@@ -41,11 +40,6 @@ bool apart(const FaceSlab& slab, const Box& box) {
   }
   const double error = slab.error_ + 2 * slab.weight_ * reach;
   return middle - half - error > slab.high_ || middle + half + error < slab.low_;
-}
-
-FaceSlab face_slab(const Brep& brep, const Geometry& geometry, FaceId face) {
-  return with_outer_corners(brep, geometry, face,
-                            [](std::span<const Vec3> corners) { return FaceSlab(corners); });
 }
 
 }  // namespace sectile

@@ -3,9 +3,7 @@
 
 #include <span>
 
-#include "geometry/geometry.h"
 #include "search/box.h"
-#include "topology/brep.h"
 
 namespace sectile {
 
@@ -26,8 +24,5 @@ class FaceSlab {
   double error_ = 0;   // of products with the corners
   double weight_ = 0;  // times the reach of others: the error of products with them
 };
-
-/// Of a face: around its outer loop.
-FaceSlab face_slab(const Brep& brep, const Geometry& geometry, FaceId face);
 
 }  // namespace sectile

@@ -1,6 +1,7 @@
 #include "search/face_tree.h"
 
 #include "parallel/parallel.h"
+#include "search/face_corners.h"
 #include "search/needles.h"
 
 namespace sectile {
@@ -60,6 +61,19 @@ const OrientedTree* FaceTree::oriented(const Brep& brep, const Geometry& geometr
       oriented_ = std::make_unique<OrientedTree>(*this, for_each_corner);
   });
   return oriented_.get();
+}
+
+std::span<const FourFaces> FaceTree::fours(const Brep& brep, const Geometry& geometry) const {
+  fours_once_.run([&] {
+    fours_.resize(node_count(0));
+    for (std::uint32_t leaf = 0; leaf < fours_.size(); ++leaf) {
+      const std::span<const std::uint32_t> faces = items({0, leaf});
+      for (unsigned i = 0; i < faces.size(); ++i)
+        with_outer_corners(brep, geometry, FaceId(faces[i]),
+                           [&](std::span<const Vec3> corners) { fours_[leaf].set(i, corners); });
+    }
+  });
+  return fours_;
 }
 
 }  // namespace sectile

@@ -6,6 +6,7 @@
 #include "geometry/geometry.h"
 #include "parallel/once_alone.h"
 #include "search/box_tree.h"
+#include "search/four_faces.h"
 #include "search/hubs.h"
 #include "search/oriented_tree.h"
 #include "topology/brep.h"
@@ -25,12 +26,15 @@ class FaceTree : public BoxTree {
   /// Oriented boxes for the faces of which this was made, if they are much smaller than the
   /// axis-parallel ones. Found when first asked for, and then kept.
   const OrientedTree* oriented(const Brep& brep, const Geometry& geometry) const;
+  /// The faces of each leaf, of those of which this was made. As above.
+  std::span<const FourFaces> fours(const Brep& brep, const Geometry& geometry) const;
 
  private:
   FaceTree(const Brep& brep, const Geometry& geometry, Hubs hubs, bool along_curve);
   Hubs hubs_;
-  mutable OnceFlag oriented_once_;
+  mutable OnceFlag oriented_once_, fours_once_;
   mutable std::unique_ptr<OrientedTree> oriented_;
+  mutable std::vector<FourFaces> fours_;
 };
 
 }  // namespace sectile

@@ -1,9 +1,8 @@
-// Visits the items of a tree of boxes, of two branches first the one that begins lower along an
-// axis. So what was found can tell that the other one need not be visited.
+// Visits the items of a tree of boxes, of the branches of a node first the one that begins lowest
+// along an axis. So what was found can tell that the others need not be visited.
 #pragma once
 
 #include <cstdint>
-#include <utility>
 
 #include "search/box_tree.h"
 
@@ -19,18 +18,18 @@ void visit_lowest_first(const BoxTree& tree, BoxTree::Node n, int axis, const Me
     for (const std::uint32_t item : tree.items(n)) visit(item);
     return;
   }
-  BoxTree::Node first{n.level - 1, 2 * n.index}, second{n.level - 1, 2 * n.index + 1};
-  const bool has_second = second.index < tree.node_count(second.level);
-  if (has_second && tree.box(second).low[axis] < tree.box(first).low[axis])
-    std::swap(first, second);
-  visit_lowest_first(tree, first, axis, meets, visit);
-  if (has_second) visit_lowest_first(tree, second, axis, meets, visit);
+  const auto [children, count] =
+      tree.children_in_order(n, [&](BoxTree::Node child, BoxTree::Node other) {
+        return tree.box(child).low[axis] < tree.box(other).low[axis];
+      });
+  for (std::uint32_t i = 0; i < count; ++i)
+    visit_lowest_first(tree, children[i], axis, meets, visit);
 }
 
 template <class Meets, class Visit>
 void visit_lowest_first(const BoxTree& tree, int axis, const Meets& meets, const Visit& visit) {
   if (tree.empty()) return;
-  visit_lowest_first(tree, {tree.level_count() - 1, 0}, axis, meets, visit);
+  visit_lowest_first(tree, tree.root(), axis, meets, visit);
 }
 
 }  // namespace sectile

@@ -35,14 +35,9 @@ bool has_many_corners(const Brep& brep, FaceId face) {
   return false;
 }
 
-BoxTree::Node root(const BoxTree& tree) {
-  return {tree.level_count() - 1, 0};
-}
-
 template <class Visit>
 void for_each_child(const BoxTree& tree, BoxTree::Node n, const Visit& visit) {
-  for (std::uint32_t i = 2 * n.index; i < 2 * n.index + 2; ++i)
-    if (i < tree.node_count(n.level - 1)) visit(BoxTree::Node{n.level - 1, i});
+  for (std::uint32_t i = 0; i < tree.child_count(n); ++i) visit(BoxTree::child(n, i));
 }
 
 // Corners of an oriented box that is so much larger that all of it is in their hull, and that they
@@ -67,7 +62,7 @@ void FacesOnRay::start(const Vec3& from) {
   ray_.emplace(from);
   front_.clear();
   slots_entered_ = 0;
-  if (!solid_.slot_tree().empty()) add_slots(root(solid_.slot_tree()), -infinity);
+  if (!solid_.slot_tree().empty()) add_slots(solid_.slot_tree().root(), -infinity);
 }
 
 void FacesOnRay::push(Entry entry, double from) {
@@ -123,7 +118,7 @@ void FacesOnRay::enter_slot(const Entry& entry) {
     if (!oriented_ && steps_ > steps_for_a_box * solid_.slots().size()) prepare_slots();
     from = std::max(from, ray_->begin(block(entry.slot).oriented_bounds()));
   }
-  if (from < infinity) add_faces(entry.slot, root(block(entry.slot).tree()), from);
+  if (from < infinity) add_faces(entry.slot, block(entry.slot).tree().root(), from);
 }
 
 void FacesOnRay::add_faces(std::uint32_t slot, BoxTree::Node n, double from) {

@@ -7,34 +7,11 @@
 #include <vector>
 
 #include "numbers/threshold.h"
-#include "search/face_slab.h"
+#include "search/four_faces.h"
 #include "search/hull.h"
 #include "storage/block.h"
 
 namespace sectile {
-
-/// The slabs of the faces of one block.
-class SlabCache {
- public:
-  void start(const Block& block) {
-    if (block_ == &block) return;
-    block_ = &block;
-    known_.assign(block.brep().face_count(), 0);
-    if (slab_.size() < known_.size()) slab_.resize(known_.size());  // old ones are written over
-  }
-  const FaceSlab& operator[](std::uint32_t face) {
-    if (known_[face] == 0) {
-      known_[face] = 1;
-      slab_[face] = face_slab(block_->brep(), block_->geometry(), FaceId(face));
-    }
-    return slab_[face];
-  }
-
- private:
-  const Block* block_ = nullptr;
-  std::vector<std::uint8_t> known_;
-  std::vector<FaceSlab> slab_;
-};
 
 /// Hulls of the faces of one block that were asked for last.
 class HullCache {
@@ -78,15 +55,13 @@ class NearFaces {
   template <class Visit, class Skip, class LeftOut = NothingLeftOut>
   void operator()(const Block& a, const Block& b, const Visit& visit, const Skip& skip,
                   const LeftOut& left_out = LeftOut()) {
-    slabs_[0].start(a);
-    slabs_[1].start(b);
     if (a.brep().face_count() * b.brep().face_count() <= few_pairs) {
       BoxTree::overlaps(
           a.tree(), b.tree(),
           [&](std::uint32_t f, std::uint32_t g) {
             if (!left_out(f, g)) visit(f, g);
           },
-          skip, FacesApart{{}, slabs_});
+          skip, FacesApart(planes_beside_many(a, b), planes_beside_many(b, a)));
       return;
     }
     if (apart(a.oriented_bounds(), b.oriented_bounds())) return;
@@ -95,30 +70,50 @@ class NearFaces {
     BoxTree::overlaps(
         a.tree(), b.tree(),
         [&](std::uint32_t f, std::uint32_t g) {
-          if (left_out(f, g)) return;
-          ++looks_;
-          if (!apart(hulls_[0][f], hulls_[1][g])) visit(f, g);
+          if (!left_out(f, g) && !apart(hulls_[0][f], hulls_[1][g])) visit(f, g);
         },
-        skip, Apart(a, b, slabs_, left_out, looks_));
+        skip, Apart(a, b, left_out, looks_));
   }
   /// How many pairs of nodes and of faces were looked at in large blocks so far?
   std::size_t looks() const { return looks_; }
 
  private:
-  // By the planes of single faces.
-  struct FacesApart : BoxTree::NothingApart {
-    SlabCache (&slabs)[2];
-    bool item_of_a(std::uint32_t face, const Box& box) const { return apart(slabs[0][face], box); }
-    bool item_of_b(std::uint32_t face, const Box& box) const { return apart(slabs[1][face], box); }
+  using Planes = std::span<const FourFaces>;
+  static Planes planes(const Block& of) { return of.tree().fours(of.brep(), of.geometry()); }
+  // There some are much larger than what they are beside.
+  static Planes planes_beside_many(const Block& of, const Block& other) {
+    return are_few(of) && !are_few(other) ? planes(of) : Planes();
+  }
+
+  // By the planes of faces, where they are known.
+  class FacesApart : public BoxTree::NothingApart {
+   public:
+    FacesApart(Planes of_a, Planes of_b) : of_a_(of_a), of_b_(of_b) {}
+
+    unsigned near_in_a(std::uint32_t leaf, unsigned items, const Box& box) const {
+      return near(of_a_, leaf, items, box);
+    }
+    unsigned near_in_b(std::uint32_t leaf, unsigned items, const Box& box) const {
+      return near(of_b_, leaf, items, box);
+    }
+    unsigned near_item(std::uint32_t p, unsigned i, std::uint32_t q, unsigned items) const {
+      if (of_a_.empty() || of_b_.empty()) return items;
+      return items & ~of_a_[p].apart_from(of_b_[q], i);
+    }
+
+   private:
+    static unsigned near(Planes of, std::uint32_t leaf, unsigned items, const Box& box) {
+      return items == 0 || of.empty() ? items : items & ~of[leaf].apart_from(box);
+    }
+    Planes of_a_, of_b_;
   };
 
   // By oriented boxes, too, if one of the blocks has them; and two leaves that are left out.
   template <class LeftOut>
   class Apart : public FacesApart {
    public:
-    Apart(const Block& a, const Block& b, SlabCache (&caches)[2], const LeftOut& left_out,
-          std::size_t& looks)
-        : FacesApart{{}, caches},
+    Apart(const Block& a, const Block& b, const LeftOut& left_out, std::size_t& looks)
+        : FacesApart(planes(a), planes(b)),
           a_(a.tree()),
           b_(b.tree()),
           left_out_(left_out),
@@ -129,6 +124,10 @@ class NearFaces {
     bool nodes(BoxTree::Node p, BoxTree::Node q) const {
       ++looks_;
       return by_nodes_.nodes(p, q) || is_left_out(p, q);
+    }
+    unsigned near_item(std::uint32_t p, unsigned i, std::uint32_t q, unsigned items) const {
+      ++looks_;
+      return FacesApart::near_item(p, i, q, items);
     }
 
    private:
@@ -144,8 +143,10 @@ class NearFaces {
 
   // So few are tested exactly in no more time.
   static constexpr std::size_t few_pairs = threshold(1024, 1);
+  static bool are_few(const Block& block) {
+    return block.brep().face_count() <= BoxTree::width * BoxTree::width;
+  }
 
-  SlabCache slabs_[2];
   HullCache hulls_[2];
   std::size_t looks_ = 0;
 };
