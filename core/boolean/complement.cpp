@@ -39,8 +39,11 @@ FaceLabels all_of_one(const Workspace& w) {
   for (const Operand s : both_operands) kept.loaded[s].assign(w.patch[s].brep.face_count(), 0);
   for (const FaceId f : patch.brep.faces())
     if (patch.is_real(f)) kept.loaded[Operand::a][f] = 1;
-  kept.rest[Operand::a] = RestLabels(patch);
-  if (!kept.rest[Operand::a].empty()) kept.rest[Operand::a].label_all_but({}, 1);
+  RestLabels& rest = kept.rest[Operand::a] = RestLabels(patch);
+  if (!rest.empty()) {
+    rest.set_regions({std::vector(patch.solid->slots().size(), 0u), 1});
+    rest.of_region(0) = 1;
+  }
   return kept;
 }
 

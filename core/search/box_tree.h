@@ -45,6 +45,8 @@ class BoxTree {
     return std::min(width, node_count(n.level - 1) - n.index * width);
   }
   static Node child(Node n, std::uint32_t which) { return {n.level - 1, n.index * width + which}; }
+  /// Of a node, or an item of a leaf, below a node.
+  Box box_below(Node n, std::uint32_t which) const { return below(n).get(which); }
   /// The items under a node.
   std::span<const std::uint32_t> items(Node n) const {
     const std::size_t under = std::size_t(width) << 2 * n.level, from = n.index * under;
@@ -63,7 +65,12 @@ class BoxTree {
     if (!empty() && meets(bounds_)) query(root(), meets, visit, skip);
   }
 
-  /// The same, where meets(node) tells it of all that is under a node, too. Of the parts of a node
+  /// Does the box of any item overlap another one?
+  bool overlaps_any(const Box& box) const {
+    return !empty() && bounds_.overlaps(box) && overlaps_any(root(), box);
+  }
+
+  /// A query where meets(node) tells it of all that is under a node, too. Of the parts of a node
   /// that one is visited first for which before(node, other) holds.
   template <class Meets, class Before, class Visit>
   void query_in_order(const Meets& meets, const Before& before, Visit&& visit) const {
@@ -159,6 +166,14 @@ class BoxTree {
   void build_groups(const std::vector<std::uint32_t>& group);
   bool are_of_one_group(std::uint32_t i, std::uint32_t j) const {
     return has_groups() && item_groups_[i] != no_group && item_groups_[i] == item_groups_[j];
+  }
+
+  bool overlaps_any(Node n, const Box& box) const {
+    for (unsigned bits = below(n).overlapping(box); bits != 0; bits &= bits - 1)
+      if (n.level == 0 ||
+          overlaps_any(child(n, static_cast<std::uint32_t>(std::countr_zero(bits))), box))
+        return true;
+    return false;
   }
 
   template <class Meets, class Visit, class Skip>

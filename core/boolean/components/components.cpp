@@ -34,7 +34,7 @@ class Labelling {
     loaded_.assign(brep_.face_count(), unknown);
     if (!patch_.unbounded) rest_ = RestLabels(patch_);
     if (!rest_.empty()) {
-      label_far();
+      find_regions();
       find_open_ends();
     }
     seed_from_segments(neighborhoods, joined);
@@ -49,24 +49,20 @@ class Labelling {
   }
 
  private:
-  // A loaded face, or a face or piece of a slot.
+  // A loaded face, a region, or a face or piece of a slot.
   struct Pending {
-    std::uint32_t slot, member;
+    std::uint32_t slot, number;
   };
-  static constexpr std::uint32_t loaded_slot = 0xFFFFFFFFu;
+  static constexpr std::uint32_t loaded_slot = 0xFFFFFFFFu, region_slot = 0xFFFFFFFEu;
 
   const SolidData& solid() const { return *patch_.solid; }
   const Slot& slot(std::uint32_t s) const { return patch_.solid->slot(s); }
 
-  // What is beyond the box around the other solid is outside of it.
-  void label_far() {
+  void find_regions() {
     const Patch& across = w_.patch[other(operand_)];
     if (across.unbounded || across.solid->slot_tree().empty()) return;
-    const Box& bounds = across.solid->slot_tree().bounds();
-    solid().slot_tree().query(
-        [&](const Box& box) { return box.overlaps(bounds); },
-        [&](std::uint32_t i) { near_.push_back(solid().slots_in_tree()[i]); });
-    rest_.label_all_but(near_, label_(operand_, Class::out));
+    rest_.set_regions(clear_regions(solid(), *across.solid));
+    rest_.of_region(ClearRegions::beyond) = label_(operand_, Class::out);
   }
 
   void find_open_ends() {
@@ -88,11 +84,24 @@ class Labelling {
   void set_loaded(FaceId f, std::uint8_t label) {
     if (set(loaded_[f], label)) front_.push_back({loaded_slot, f.value()});
   }
-  void set_rest(std::uint32_t s, FaceId local, std::uint8_t label) {
-    set_member(s, rest_.member(s, local), label);
+  void set_region(std::uint32_t region, std::uint8_t label) {
+    if (set(rest_.of_region(region), label)) front_.push_back({region_slot, region});
   }
+  // Of a slot in no region.
   void set_member(std::uint32_t s, std::uint32_t member, std::uint8_t label) {
     if (set(rest_.of_member(s, member), label)) front_.push_back({s, member});
+  }
+  void set_piece(std::uint32_t s, std::uint32_t piece, std::uint8_t label) {
+    if (const std::uint32_t region = rest_.region(s); region != RestLabels::none)
+      set_region(region, label);
+    else
+      set_member(s, piece, label);
+  }
+  void set_rest(std::uint32_t s, FaceId local, std::uint8_t label) {
+    if (const std::uint32_t region = rest_.region(s); region != RestLabels::none)
+      set_region(region, label);
+    else
+      set_member(s, rest_.member(s, local), label);
   }
 
   void seed_from_segments(const Neighborhoods& n, const JoinedCuts& joined) {
@@ -118,11 +127,13 @@ class Labelling {
 
   void spread(const Pending& next) {
     if (next.slot == loaded_slot)
-      spread_loaded(FaceId(next.member));
+      spread_loaded(FaceId(next.number));
+    else if (next.slot == region_slot)
+      spread_region(next.number);
     else if (rest_.is_touched(next.slot))
-      spread_face(next.slot, FaceId(next.member));
+      spread_face(next.slot, FaceId(next.number));
     else
-      spread_piece(next.slot, next.member);
+      spread_piece(next.slot, next.number);
   }
 
   void spread_loaded(FaceId face) {
@@ -198,7 +209,7 @@ class Labelling {
     for (const BorderLinks::Neighbour& n : links.neighbours(*slot(s).block, piece)) {
       const std::uint32_t t = s + static_cast<std::uint32_t>(n.slots);
       if (!rest_.is_touched(t))
-        set_member(t, n.piece, label);
+        set_piece(t, n.piece, label);
       else
         for (const std::uint32_t border : links.borders(n))
           spread_across(s, Brep::half_edge(EdgeId(border)), label);
@@ -208,7 +219,7 @@ class Labelling {
   void spread_across(std::uint32_t s, HalfEdgeId h, std::uint8_t label) {
     const BorderLink& link = slot(s).links->all()[Brep::edge_of(h).value()];
     const std::uint32_t t = s + static_cast<std::uint32_t>(link.slots);
-    if (!rest_.is_touched(t)) return set_member(t, link.piece, label);
+    if (!rest_.is_touched(t)) return set_piece(t, link.piece, label);
     const FaceId face = slot(t).block->brep().face_of(Brep::half_edge(EdgeId(link.border)));
     if (rest_.is_loaded(t, face))
       set_loaded(loaded_beyond(s, h), label);
@@ -229,7 +240,7 @@ class Labelling {
 
   void visit_untouched_shells() {
     std::optional<FreePoints> points;
-    if (!rest_.empty()) spread_from_far();
+    if (!rest_.empty()) spread_from_regions();
     for (const FaceId f : loaded_.ids()) {
       if (loaded_[f] != unknown || !patch_.is_real(f)) continue;
       if (patch_.unbounded) {  // nothing meets the plane: no part of it is inside the solid
@@ -244,43 +255,63 @@ class Labelling {
     for (std::uint32_t s = 0; s < solid().slots().size(); ++s) {
       if (!rest_.has(s, unknown)) continue;
       for (std::uint32_t m = 0; m < rest_.count(s); ++m) {
-        if (rest_.of_member(s, m) != unknown) continue;
+        if (rest_.label_of_member(s, m) != unknown) continue;
         settle(s, m);
         spread();
       }
     }
   }
 
-  // What no segment has reached may hang together with what is far.
-  void spread_from_far() {
-    for (const HalfEdgeId here : patch_.half_edge_in_solid.ids()) {
-      const HalfEdgeId h = patch_.half_edge_in_solid[here];
-      if (!h.valid() || !rest_.is_far(solid().slot_of(h))) continue;
-      const FaceId face = brep_.face_of(Brep::twin(here));
-      if (loaded_[face] == unknown) set_loaded(face, rest_.far_label());
-    }
-    for (const FarLoops& far : patch_.far_loops)
-      for (const LoopId l : far.loops)
-        if (loaded_[far.part[l]] == unknown) spread_from_far_neighbours(far, l);
-    for (const std::uint32_t s : near_)
-      if (rest_.has(s, unknown)) spread_from_far_neighbours(s);
+  // What no segment has reached may hang together with what is in a region.
+  struct Waiting {
+    std::uint32_t region;
+    Pending what;
+  };
+
+  void spread_from_regions() {
+    find_waiting();
+    for (std::uint32_t region = 0; region < rest_.region_count(); ++region)
+      if (rest_.of_region(region) != unknown) spread_region(region);
     spread();
   }
 
-  void spread_from_far_neighbours(const FarLoops& far, LoopId l) {
-    for_each_in_loop(slot(far.slot).block->brep(), l, [&](HalfEdgeId h) {
-      if (rest_.is_far(solid().across(far.slot, h).slot))
-        set_loaded(far.part[l], rest_.far_label());
-    });
+  void find_waiting() {
+    for (const HalfEdgeId here : patch_.half_edge_in_solid.ids())
+      if (const HalfEdgeId h = patch_.half_edge_in_solid[here]; h.valid())
+        wait_for_slot(solid().slot_of(h), brep_.face_of(Brep::twin(here)));
+    for (const FarLoops& far : patch_.far_loops)
+      for (const LoopId l : far.loops)
+        for_each_in_loop(slot(far.slot).block->brep(), l, [&](HalfEdgeId h) {
+          wait_for_slot(solid().across(far.slot, h).slot, far.part[l]);
+        });
+    for (std::uint32_t s = 0; s < solid().slots().size(); ++s)
+      if (rest_.region(s) == RestLabels::none && !slot(s).empty() && rest_.has(s, unknown))
+        wait_for_neighbours(s);
+    std::ranges::sort(waiting_, {}, &Waiting::region);
   }
-
-  void spread_from_far_neighbours(std::uint32_t s) {
+  void wait_for_slot(std::uint32_t s, FaceId loaded) {
+    if (loaded_[loaded] == unknown && rest_.region(s) != RestLabels::none)
+      waiting_.push_back({rest_.region(s), {loaded_slot, loaded.value()}});
+  }
+  void wait_for_neighbours(std::uint32_t s) {
     const Block& block = *slot(s).block;
     for (std::uint32_t border = 0; border < block.border_count; ++border) {
       const HalfEdgeId h = Brep::half_edge(EdgeId(border));
+      const std::uint32_t region = rest_.region(solid().across(s, h).slot);
+      if (region == RestLabels::none) continue;
       const std::uint32_t member = rest_.member(s, block.brep().face_of(h));
-      if (rest_.of_member(s, member) == unknown && rest_.is_far(solid().across(s, h).slot))
-        set_member(s, member, rest_.far_label());
+      if (rest_.label_of_member(s, member) == unknown) waiting_.push_back({region, {s, member}});
+    }
+  }
+
+  void spread_region(std::uint32_t region) {
+    const std::uint8_t label = rest_.of_region(region);
+    for (auto w = std::ranges::lower_bound(waiting_, region, {}, &Waiting::region);
+         w != waiting_.end() && w->region == region; ++w) {
+      if (w->what.slot == loaded_slot)
+        set_loaded(FaceId(w->what.number), label);
+      else
+        set_member(w->what.slot, w->what.number, label);
     }
   }
 
@@ -324,7 +355,7 @@ class Labelling {
   RestLabels& rest_;
   std::optional<PointInSolid> is_inside_;  // the other operand, of points of shells
   std::optional<IdMap> open_ends_;         // if not all of the operand is loaded
-  std::vector<std::uint32_t> near_;        // the slots that are not far
+  std::vector<Waiting> waiting_;           // without label, by the regions beside them
   std::vector<Pending> front_;             // from where labels may spread further
   std::vector<FaceId> faces_;              // the same, within one block
   std::vector<HalfEdgeId> borders_;        // of that block

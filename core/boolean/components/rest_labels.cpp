@@ -1,6 +1,7 @@
 #include "boolean/components/rest_labels.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sectile {
 
@@ -8,12 +9,20 @@ RestLabels::RestLabels(const Patch& patch) {
   if (patch.whole || patch.face_in_solid.size() == patch.solid->face_count()) return;
   solid_ = patch.solid;
   touched_.assign(solid_->slots().size(), 0);
+  region_.assign(solid_->slots().size(), none);
   first_.assign(solid_->slots().size(), none);
   for (const FaceId f : patch.face_in_solid) {
     const std::uint32_t s = solid_->slot_of(f);
     touched_[s] = 1;
     of_member(s, solid_->local(s, f).value()) = loaded;
   }
+}
+
+void RestLabels::set_regions(ClearRegions regions) {
+  region_ = std::move(regions.of_slot);
+  region_label_.assign(regions.count, unknown);
+  for (std::uint32_t s = 0; s < region_.size(); ++s)
+    if (is_touched(s)) region_[s] = none;
 }
 
 std::uint32_t RestLabels::count(std::uint32_t slot) const {
@@ -26,7 +35,9 @@ void RestLabels::add_members(std::uint32_t slot) {
 }
 
 std::span<const std::uint8_t> RestLabels::labels(std::uint32_t slot) const {
-  if (first_[slot] == none) return {&far_label_, 1};
+  if (region_[slot] != none) return {&region_label_[region_[slot]], 1};
+  static constexpr std::uint8_t all = unknown;
+  if (first_[slot] == none) return {&all, 1};
   return std::span(labels_).subspan(first_[slot], count(slot));
 }
 
@@ -36,12 +47,6 @@ bool RestLabels::has(std::uint32_t slot, std::uint8_t label) const {
 
 bool RestLabels::has_only(std::uint32_t slot, std::uint8_t label) const {
   return std::ranges::all_of(labels(slot), [&](std::uint8_t l) { return l == label; });
-}
-
-void RestLabels::label_all_but(std::span<const std::uint32_t> near, std::uint8_t label) {
-  for (const std::uint32_t slot : near)
-    if (first_[slot] == none) add_members(slot);
-  far_label_ = label;
 }
 
 }  // namespace sectile

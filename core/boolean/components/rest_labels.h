@@ -1,12 +1,13 @@
 // Labels for what is not loaded of an operand: for each face in blocks of which faces are loaded,
-// and for each piece of the others. Those that are far have one label together, and are not looked
-// at.
+// and for each piece of the others. What is in one region has one label together, and is not
+// looked at.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "boolean/components/clear_regions.h"
 #include "boolean/patch.h"
 
 namespace sectile {
@@ -18,6 +19,14 @@ class RestLabels {
   explicit RestLabels(const Patch& patch);
 
   static constexpr std::uint8_t unknown = 255, loaded = 254;
+  static constexpr std::uint32_t none = ClearRegions::none;
+
+  /// All in one region, but for slots of which faces are loaded, has one label.
+  void set_regions(ClearRegions regions);
+  /// Of a slot, or none.
+  std::uint32_t region(std::uint32_t slot) const { return region_[slot]; }
+  std::uint32_t region_count() const { return static_cast<std::uint32_t>(region_label_.size()); }
+  std::uint8_t& of_region(std::uint32_t region) { return region_label_[region]; }
 
   /// Are there faces that are not loaded?
   bool empty() const { return solid_ == nullptr; }
@@ -32,11 +41,14 @@ class RestLabels {
   std::uint32_t member(std::uint32_t slot, FaceId local) const {
     return is_touched(slot) ? local.value() : solid_->slot(slot).block->pieces().of(local);
   }
-  /// Valid until the next call; of what is far, not to be changed.
+  /// Of a slot in no region. Valid until the next call.
   std::uint8_t& of_member(std::uint32_t slot, std::uint32_t member) {
-    if (is_far(slot)) return far_label_;
     if (first_[slot] == none) add_members(slot);
     return labels_[first_[slot] + member];
+  }
+  std::uint8_t label_of_member(std::uint32_t slot, std::uint32_t member) const {
+    if (region_[slot] != none) return region_label_[region_[slot]];
+    return first_[slot] == none ? unknown : labels_[first_[slot] + member];
   }
   /// Per face of a touched slot. Valid until of_member() is called.
   std::span<std::uint8_t> of_touched(std::uint32_t slot) {
@@ -44,27 +56,23 @@ class RestLabels {
   }
   /// The label of a face that is not loaded; `loaded` of others.
   std::uint8_t label(std::uint32_t slot, FaceId local) const {
-    return first_[slot] == none ? far_label_ : labels_[first_[slot] + member(slot, local)];
+    if (region_[slot] != none) return region_label_[region_[slot]];
+    return first_[slot] == none ? unknown : labels_[first_[slot] + member(slot, local)];
   }
   /// Is there a face with this label in the slot, or are there only such?
   bool has(std::uint32_t slot, std::uint8_t label) const;
   bool has_only(std::uint32_t slot, std::uint8_t label) const;
 
-  /// All slots but those that are near or touched are far, with this label.
-  void label_all_but(std::span<const std::uint32_t> near, std::uint8_t label);
-  bool is_far(std::uint32_t slot) const { return first_[slot] == none && far_label_ != unknown; }
-  std::uint8_t far_label() const { return far_label_; }
-
  private:
-  static constexpr std::uint32_t none = 0xFFFFFFFFu;
   void add_members(std::uint32_t slot);
   std::span<const std::uint8_t> labels(std::uint32_t slot) const;
 
   const SolidData* solid_ = nullptr;
   std::vector<std::uint8_t> touched_;  // per slot
-  std::vector<std::uint32_t> first_;   // per slot: of its labels; none if it has none of its own
+  std::vector<std::uint32_t> region_;  // per slot, or none
+  std::vector<std::uint8_t> region_label_;
+  std::vector<std::uint32_t> first_;  // per slot: of its labels; none as long as all are unknown
   std::vector<std::uint8_t> labels_;
-  std::uint8_t far_label_ = unknown;  // unknown if nothing is far
 };
 
 }  // namespace sectile

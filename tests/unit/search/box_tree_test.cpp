@@ -118,6 +118,23 @@ TEST(BoxTree, QueriesFindTheItemsAroundAPoint) {
   }
 }
 
+TEST(BoxTree, KnowsWhetherAnyBoxOverlapsAnother) {
+  Boxes boxes(9);
+  EXPECT_FALSE(BoxTree().overlaps_any(Box::everything()));
+  int overlap_any = 0;
+  for (const std::size_t count : {1u, 4u, 5u, 17u, 100u}) {
+    const std::vector<Box> a = boxes.make(count, 30, 8);
+    const BoxTree tree(a);
+    for (const Box& b : boxes.make(200, 30, 8)) {
+      const bool any = std::ranges::any_of(a, [&](const Box& box) { return overlap(box, b); });
+      EXPECT_EQ(tree.overlaps_any(b), any);
+      overlap_any += any;
+    }
+  }
+  EXPECT_GT(overlap_any, 100);
+  EXPECT_LT(overlap_any, 900);
+}
+
 // The nearest item is found first, and so most are never looked at.
 TEST(BoxTree, QueriesInOrderFindAllAndTheNearestFirst) {
   Boxes boxes(8);
