@@ -215,7 +215,7 @@ class BoxTree {
 
 template <class Visit, class Apart>
 void BoxTree::self_overlaps(const SelfPart& part, Visit&& visit, const Apart& apart) const {
-  const auto [p, q] = std::pair(part.p, part.q);
+  const Node p = part.p, q = part.q;
   if (p.level != q.level || p.index != q.index) {
     const Box box_of_p = box(p), box_of_q = box(q);
     if (!box_of_p.overlaps(box_of_q)) return;
