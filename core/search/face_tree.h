@@ -26,7 +26,7 @@ class FaceTree : public BoxTree {
   /// Oriented boxes for the faces of which this was made, if they are much smaller than the
   /// axis-parallel ones. Found when first asked for, and then kept.
   const OrientedTree* oriented(const Brep& brep, const Geometry& geometry) const;
-  /// The faces of each leaf, of those of which this was made. As above.
+  /// The same faces, those of each leaf side by side. Found when first asked for, and then kept.
   std::span<const FourFaces> fours(const Brep& brep, const Geometry& geometry) const;
 
  private:

@@ -1,16 +1,11 @@
 // Boxes side by side, which are compared with another one at one go.
 #pragma once
 
-#ifdef __SSE__
-#include <xmmintrin.h>
-#endif
-
 #include <array>
-#include <bit>
-#include <cstdint>
 #include <limits>
 
 #include "search/box.h"
+#include "search/four_floats.h"
 
 namespace sectile {
 
@@ -36,27 +31,16 @@ class FourBoxes {
   }
   /// Bit i: box i overlaps another one.
   unsigned overlapping(const Box& box) const {
-    const Truths overlap = (low_[0] <= box.high[0]) & (high_[0] >= box.low[0]) &
-                           (low_[1] <= box.high[1]) & (high_[1] >= box.low[1]) &
-                           (low_[2] <= box.high[2]) & (high_[2] >= box.low[2]);
-#ifdef __SSE__
-    return static_cast<unsigned>(_mm_movemask_ps(std::bit_cast<__m128>(overlap)));
-#else
-    const Truths bits = overlap & Truths{1, 2, 4, 8};
-    return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
-#endif
+    return mask_of((low_[0] <= box.high[0]) & (high_[0] >= box.low[0]) & (low_[1] <= box.high[1]) &
+                   (high_[1] >= box.low[1]) & (low_[2] <= box.high[2]) & (high_[2] >= box.low[2]));
   }
 
  private:
-  // One instruction is for four numbers: an extension that GCC and Clang have in common.
-  using Floats = float __attribute__((vector_size(16)));
-  using Truths = std::int32_t __attribute__((vector_size(16)));
-
   // No comparison with these holds.
   static constexpr float none = std::numeric_limits<float>::quiet_NaN();
-  static constexpr Floats nowhere{none, none, none, none};
+  static constexpr FourFloats nowhere{none, none, none, none};
 
-  std::array<Floats, 3> low_, high_;
+  std::array<FourFloats, 3> low_, high_;
 };
 
 class EightBoxes {

@@ -1,5 +1,8 @@
 #include "search/four_faces.h"
 
+#include <bit>
+#include <limits>
+
 #include "numbers/rounding.h"
 #include "search/approximate.h"
 
@@ -8,7 +11,7 @@ namespace sectile {
 using namespace approximate;
 
 FourFaces::FourFaces() {
-  const Floats none = four(std::numeric_limits<float>::quiet_NaN());
+  const FourFloats none = broadcast(std::numeric_limits<float>::quiet_NaN());
   const Place nowhere{none, none, none};
   normal_ = nowhere;
   low_ = high_ = weight_ = reach_ = none;
@@ -67,13 +70,13 @@ unsigned FourFaces::apart_from(const Box& box) const {
     half[k] = 0.5f * box.high[k] - 0.5f * box.low[k];
     reach = std::max(reach, std::max(std::abs(box.low[k]), std::abs(box.high[k])));
   }
-  const auto size = [](Floats v) {
-    return std::bit_cast<Floats>(std::bit_cast<Truths>(v) & 0x7FFFFFFF);
+  const auto size = [](FourFloats v) {
+    return std::bit_cast<FourFloats>(std::bit_cast<FourTruths>(v) & 0x7FFFFFFF);
   };
-  const Floats at = normal_.x * middle[0] + normal_.y * middle[1] + normal_.z * middle[2];
-  const Floats around = size(normal_.x) * half[0] + size(normal_.y) * half[1] +
-                        size(normal_.z) * half[2] + (2 * reach * weight_ + 0x1p-140f);
-  return bits((at - around > high_) | (at + around < low_));
+  const FourFloats at = normal_.x * middle[0] + normal_.y * middle[1] + normal_.z * middle[2];
+  const FourFloats around = size(normal_.x) * half[0] + size(normal_.y) * half[1] +
+                            size(normal_.z) * half[2] + (2 * reach * weight_ + 0x1p-140f);
+  return mask_of((at - around > high_) | (at + around < low_));
 }
 
 }  // namespace sectile

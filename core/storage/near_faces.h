@@ -74,7 +74,7 @@ class NearFaces {
         },
         skip, Apart(a, b, left_out, looks_));
   }
-  /// How many pairs of nodes and of faces were looked at in large blocks so far?
+  /// How often two nodes, or a face beside a leaf, were looked at in large blocks so far?
   std::size_t looks() const { return looks_; }
 
  private:

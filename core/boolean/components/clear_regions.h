@@ -1,6 +1,6 @@
 // Where one boundary is certainly clear of the other one: boxes around slots that no box of a slot
-// of the other solid overlaps. All that is in one such box, or in several that hang together, lies on one
-// side of the other boundary, whether it is connected there or not.
+// of the other solid overlaps. All that is in one such box, or in several that hang together, lies
+// on one side of the other boundary, whether it is connected there or not.
 #pragma once
 
 #include <cstdint>
