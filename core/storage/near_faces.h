@@ -61,7 +61,7 @@ class NearFaces {
           [&](std::uint32_t f, std::uint32_t g) {
             if (!left_out(f, g)) visit(f, g);
           },
-          skip, FacesApart(planes_beside_many(a, b), planes_beside_many(b, a)));
+          skip, FacesApart(planes_of_few(a, b), planes_of_few(b, a)));
       return;
     }
     if (apart(a.oriented_bounds(), b.oriented_bounds())) return;
@@ -79,10 +79,14 @@ class NearFaces {
 
  private:
   using Planes = std::span<const FourFaces>;
-  static Planes planes(const Block& of) { return of.tree().fours(of.brep(), of.geometry()); }
-  // There some are much larger than what they are beside.
-  static Planes planes_beside_many(const Block& of, const Block& other) {
-    return are_few(of) && !are_few(other) ? planes(of) : Planes();
+  // To make them for many takes longer than to ask the planes of few, each of which is large beside
+  // what it meets.
+  static Planes planes(const Block& of, const Block& beside) {
+    if (!are_few(of) && are_few(beside)) return {};
+    return of.tree().fours(of.brep(), of.geometry());
+  }
+  static Planes planes_of_few(const Block& of, const Block& beside) {
+    return are_few(of) && !are_few(beside) ? planes(of, beside) : Planes();
   }
 
   // By the planes of faces, where they are known.
@@ -113,7 +117,7 @@ class NearFaces {
   class Apart : public FacesApart {
    public:
     Apart(const Block& a, const Block& b, const LeftOut& left_out, std::size_t& looks)
-        : FacesApart(planes(a), planes(b)),
+        : FacesApart(planes(a, b), planes(b, a)),
           a_(a.tree()),
           b_(b.tree()),
           left_out_(left_out),
