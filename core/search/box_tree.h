@@ -34,7 +34,9 @@ class BoxTree {
   };
   /// Of a tree that is not empty.
   Node root() const { return {level_count() - 1, 0}; }
-  std::uint32_t level_count() const { return static_cast<std::uint32_t>(first_.size()) - 1; }
+  std::uint32_t level_count() const {
+    return empty() ? 0 : static_cast<std::uint32_t>(first_.size()) - 1;
+  }
   std::uint32_t node_count(std::uint32_t level) const { return first_[level + 1] - first_[level]; }
   Box box(Node n) const {
     if (n.level + 1 == level_count()) return bounds_;

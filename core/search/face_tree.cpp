@@ -65,6 +65,7 @@ const OrientedTree* FaceTree::oriented(const Brep& brep, const Geometry& geometr
 
 std::span<const FourFaces> FaceTree::fours(const Brep& brep, const Geometry& geometry) const {
   fours_once_.run([&] {
+    if (empty()) return;
     fours_.resize(node_count(0));
     for (std::uint32_t leaf = 0; leaf < fours_.size(); ++leaf) {
       const std::span<const std::uint32_t> faces = items({0, leaf});

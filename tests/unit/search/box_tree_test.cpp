@@ -93,6 +93,7 @@ TEST(BoxTree, FindsNothingInAnEmptyTree) {
   Boxes boxes(3);
   const BoxTree none, some(boxes.make(10, 4, 4));
   EXPECT_TRUE(none.empty());
+  EXPECT_EQ(none.level_count(), 0u);
   EXPECT_FALSE(some.empty());
   int visits = 0;
   const auto count = [&](std::uint32_t, std::uint32_t) { ++visits; };
