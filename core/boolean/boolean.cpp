@@ -8,7 +8,6 @@
 #include "boolean/cleanup/cleanup.h"
 #include "boolean/complement.h"
 #include "boolean/components/components.h"
-#include "boolean/components/free_point.h"
 #include "boolean/gluing/gluing.h"
 #include "boolean/loading/load.h"
 #include "boolean/report/report.h"
@@ -73,6 +72,8 @@ Solid solid_of(const Workspace& w, Glued glued) {
 CutBoundaries cut(Workspace& w, const FacePairs& pairs, const Wanted& wanted) {
   step(w, 0.1);
   Contacts contacts = reduce(w, pairs);
+  if (contacts.has_unswept_lines && wanted.turned_pairs)
+    throw NeedsAllPairs("wedges without material along a crowded line have no row");
   if (is_observed(w, wanted)) report_reduction(w, contacts);
   return cut_at(w, std::move(contacts), wanted);
 }
@@ -109,7 +110,7 @@ Solid assemble(Workspace& w, const CutBoundaries& boundaries, Operation operatio
 Solid assemble(Workspace& w, const CutBoundaries& boundaries, const FaceLabels& kept,
                Operation operation, std::size_t number) {
   const auto& [contacts, neighborhoods, joined] = boundaries;
-  const std::vector<WedgePair>& wedges = neighborhoods.wedges[number];
+  const Wedges& wedges = neighborhoods.wedges[number];
   if (w.options.observer) report_components(w, kept, operation);
 
   // Several results share what is left after the cut.
@@ -118,7 +119,7 @@ Solid assemble(Workspace& w, const CutBoundaries& boundaries, const FaceLabels& 
   };
   assembled(0.25);
   Glued glued = glue(w, operation, neighborhoods, wedges, joined, kept);
-  if (w.options.observer) report_gluing(w, contacts, neighborhoods, wedges);
+  if (w.options.observer) report_gluing(w, contacts, neighborhoods, wedges.pairs);
 
   assembled(0.75);
   Solid result = solid_of(w, std::move(glued));
@@ -167,7 +168,7 @@ Solid boolean(const Solid& a, const Solid& b, Operation operation, const Boolean
 
 namespace {
 
-// Where a shell has no edge off the lines along which pairs were left out, none are left out.
+// Where pairs that were left out are needed, none are left out.
 Solid cut_and_assembled(const SolidData& a, const SolidData& b, bool turned_pairs,
                         Operation operation, const BooleanOptions& options) {
   const Operation wanted[] = {operation};
@@ -176,8 +177,8 @@ Solid cut_and_assembled(const SolidData& a, const SolidData& b, bool turned_pair
     FacePairs pairs;
     load(w, a, b, pairs, {wanted, false, turned_pairs, all_pairs});
     try {
-      return std::optional(assemble(w, cut(w, pairs, {wanted}), operation, 0));
-    } catch (const NoFreePoint&) {
+      return std::optional(assemble(w, cut(w, pairs, {wanted, false, turned_pairs}), operation, 0));
+    } catch (const NeedsAllPairs&) {
       if (w.crowded_lines.empty() && w.common_faces.empty()) throw;
       return std::optional<Solid>();
     }

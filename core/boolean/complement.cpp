@@ -32,6 +32,19 @@ void leave_touching_segments(Contacts& contacts) {
   all = std::move(touching);
 }
 
+// Those in which edges run beside each other.
+void leave_touching_rows(Contacts& contacts) {
+  std::erase_if(contacts.rows, [](const Row& row) {
+    std::vector<std::array<std::uint32_t, 2>> stretches;
+    for (const Row::Run& run : row.runs)
+      if (run.operand == Operand::a) stretches.push_back({run.from, run.to});
+    std::ranges::sort(stretches);
+    return std::ranges::adjacent_find(stretches, [](const auto& p, const auto& q) {
+             return q[0] < p[1];
+           }) == stretches.end();
+  });
+}
+
 // All of the first operand, which is the solid, and nothing of the second, which is the solid too.
 FaceLabels all_of_one(const Workspace& w) {
   FaceLabels kept;
@@ -47,37 +60,48 @@ FaceLabels all_of_one(const Workspace& w) {
   return kept;
 }
 
-// The slots near the contacts' segments.
+// The slots near the contacts' segments, and rows.
 std::vector<std::uint32_t> slots_near_segments(const Workspace& w, const SolidData& solid,
                                                const Contacts& contacts) {
   std::vector<Box> boxes;
-  for (const SegmentRecord& r : contacts.segments) {
+  const auto add = [&](PlaceId from, PlaceId to) {
     Bounds bounds;
-    for (const PlaceId place : r.place) bounds.add(w.geometry.position(contacts.point(place)));
+    for (const PlaceId place : {from, to}) bounds.add(w.geometry.position(contacts.point(place)));
     boxes.push_back(bounds.box());
-  }
+  };
+  for (const SegmentRecord& r : contacts.segments) add(r.place[0], r.place[1]);
+  for (const Row& row : contacts.rows)
+    for (const Row::Run& run : row.runs) add(row.places[run.from], row.places[run.to]);
   return slots_near(solid, boxes);
 }
 
-// A line in which the solid touches itself may lead on to other slots.
+// A line in which the solid touches itself may lead on to other slots. Where very many edges run
+// along one line, faces that leave it in different directions are in no pair, but the edges are
+// in one row, or else all is tested.
 std::shared_ptr<const SolidData> paired_for_complement(const SolidData& solid) {
   const BooleanOptions options;
+  const Operation united[] = {Operation::unite};
+  Wanted wanted{united, true, true};
   const auto first = solid.touching_slots();
   for (std::vector<std::uint32_t> slots(first.begin(), first.end());;) {
     Workspace w(options);
     FacePairs pairs;
-    load_slots(w, solid, slots, pairs);
+    load_slots(w, solid, slots, pairs, wanted);
     Contacts contacts = reduce(w, pairs);
+    if (contacts.has_unswept_lines) {
+      wanted.all_pairs = true;
+      continue;
+    }
     leave_touching_segments(contacts);
-    if (contacts.segments.empty()) return nullptr;
+    leave_touching_rows(contacts);
+    if (contacts.segments.empty() && contacts.rows.empty()) return nullptr;
     const std::vector<std::uint32_t> near = slots_near_segments(w, solid, contacts);
     const std::size_t known = slots.size();
     slots.insert(slots.end(), near.begin(), near.end());
     std::sort(slots.begin(), slots.end());
     slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
     if (slots.size() > known) continue;
-    const Operation wanted[] = {Operation::unite};
-    const CutBoundaries boundaries = cut_at(w, std::move(contacts), {wanted, true});
+    const CutBoundaries boundaries = cut_at(w, std::move(contacts), wanted);
     return assemble(w, boundaries, all_of_one(w), Operation::unite, 0).data();
   }
 }

@@ -6,7 +6,8 @@
 // at vertices where the structure says so (topology/touching_vertices.h), and on from there. Where
 // none starts (storage/touching_lines.h), as where solids touch in single vertices, nothing is
 // done. Along other lines, as where an edge lies within a face, the pairs stay as they are: they
-// bound the same solid.
+// bound the same solid. What runs along one line, in whatever order it begins and ends, is one row
+// (neighborhoods/row_sweep.h): where a wedge ends, those beside it are divided, and no others.
 #pragma once
 
 #include "storage/solid_data.h"

@@ -1,6 +1,8 @@
 #include "search/edges_by_line.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "geometry/axes.h"
@@ -33,11 +35,11 @@ class LineFinder {
 
   std::vector<EdgesOfLine> run() {
     const std::vector<Sorted> sorted = sort_edges();
-    for (std::size_t i = 0; i < sorted.size(); ++i) {
-      const bool near =
-          i > 0 && sorted[i].at - sorted[i - 1].at <= sorted[i].error + sorted[i - 1].error;
-      if (!near) first_near_ = lines_.size();
-      add(edges_[sorted[i].edge]);
+    double reach = -std::numeric_limits<double>::infinity();  // of those before, with their errors
+    for (const Sorted& edge : sorted) {
+      if (edge.at - edge.error > reach) first_near_ = lines_.size();
+      reach = std::max(reach, edge.at + edge.error);
+      add(edges_[edge.edge]);
     }
     for (EdgesOfLine& line : lines_) measure(line);
     return std::move(lines_);

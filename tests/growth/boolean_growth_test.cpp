@@ -1,8 +1,10 @@
 // Booleans in which very many things meet in one place.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "boolean/boolean.h"
 #include "growth/steps.h"
@@ -106,15 +108,16 @@ TEST(Growth, ImportOfABouquet) {
   EXPECT_LT(growth([](std::size_t n) { return [n] { bouquet(n); }; }, 250), n_log_n);
 }
 
-// n wedges on one line: those that begin later than others do so by `lows`, and so for their ends.
-PolygonMesh book(std::size_t n, double lows = 0, double highs = 0) {
+// n wedges on one line, each over so much of its n-th part of a turn: those that begin later than
+// others do so by `lows`, and so for their ends.
+PolygonMesh book(std::size_t n, double lows = 0, double highs = 0, double width = 0.5) {
   PolygonMesh mesh;
   const auto nth = [&](std::size_t i, std::size_t factor) {
     return static_cast<double>(factor * i % n);
   };
   for (std::size_t i = 0; i < n; ++i) {
     const double step = 2 * std::numbers::pi / static_cast<double>(n),
-                 a = step * static_cast<double>(i), b = a + step / 2;
+                 a = step * static_cast<double>(i), b = a + step * width;
     const auto o = static_cast<std::uint32_t>(mesh.positions.size());
     for (const double z : {lows * nth(i, 7919), 1 + highs * nth(i, 10007)}) {
       mesh.positions.push_back({0, 0, z});
@@ -253,9 +256,10 @@ TEST(Growth, CellsOfBooksWhoseWallsAllEndElsewhere) {
 
 // Each turned by so many degrees over n against itself, so that walls of both are beside each other
 // two by two: no other end of a wall divides them.
-double growth_of_books_that_end_elsewhere(Operation operation, double turn, double lows) {
+double growth_of_books_that_end_elsewhere(Operation operation, double turn, double lows,
+                                          double width = 0.5) {
   const auto of_two = [=](std::size_t n) {
-    const Solid a = Solid::from_mesh(book(n, lows, 1e-4)),
+    const Solid a = Solid::from_mesh(book(n, lows, 1e-4, width)),
                 b = transformed(
                     a, Transform::rotation_degrees({0, 0, 1}, turn / static_cast<double>(n)));
     return [=] { boolean(a, b, operation); };
@@ -269,9 +273,33 @@ TEST(Growth, BooleansOfBooksWhoseWallsAllEndElsewhere) {
       EXPECT_LT(growth_of_books_that_end_elsewhere(operation, turn, 1e-4), n_log_n);
 }
 
+// Each wall overlaps two of the other book, all around the line.
+TEST(Growth, BooleansOfBooksWhoseWallsOverlapAllAround) {
+  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract})
+    EXPECT_LT(growth_of_books_that_end_elsewhere(operation, 180, 1e-4, 0.7), n_log_n);
+}
+
 TEST(Growth, BooleansOfBooksWhoseWallsBeginInOnePlace) {
   for (const Operation operation : {Operation::unite, Operation::intersect})
     EXPECT_LT(growth_of_books_that_end_elsewhere(operation, 90, 0), n_log_n);
+}
+
+// All edges of the line are paired anew for the complement. The ends are in no order: on a stair
+// around the line, one wall would be beside the ends of many.
+TEST(Growth, SubtractionOfABookWhoseWallsBeginInOnePlace) {
+  const auto of_two = [](std::size_t n) {
+    PolygonMesh mesh = book(n);
+    std::vector<double> ends;
+    for (std::size_t i = 0; i < n; ++i) ends.push_back(1 + 1e-4 * static_cast<double>(i));
+    std::ranges::shuffle(ends, std::mt19937(1));
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+      if (mesh.positions[i].z > 0) mesh.positions[i].z = ends[i / 6];
+    const Solid a = Solid::from_mesh(mesh),
+                b = transformed(
+                    a, Transform::rotation_degrees({0, 0, 1}, 90.0 / static_cast<double>(n)));
+    return [=] { boolean(a, b, Operation::subtract); };
+  };
+  EXPECT_LT(growth(of_two, 200), n_log_n);
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "boolean/face_location.h"
 #include "boolean/line.h"
+#include "geometry/axes.h"
 #include "geometry/probe.h"
 #include "search/edges_by_line.h"
 
@@ -21,7 +23,8 @@ FreePoints::FreePoints(Workspace& w, const Contacts& contacts, Operand operand)
       brep_(patch_.brep),
       seen_(brep_.face_count()),
       vertex_in_contact_(brep_.vertex_count()),
-      edge_in_contact_(brep_.edge_count()) {
+      edge_in_contact_(brep_.edge_count()),
+      contacts_(contacts) {
   for (const Contact& c : contacts.contacts) {
     const Entity mine = c.on[operand];
     if (mine.is_vertex()) vertex_in_contact_[mine.vertex()] = 1;
@@ -59,7 +62,7 @@ bool FreePoints::are_on_crowded_line(std::initializer_list<PointId> points) cons
 }
 
 std::vector<PointId> FreePoints::on_shell_of(FaceId start) {
-  std::vector<FaceId> front{start};
+  std::vector<FaceId> front{start}, faces;
   std::vector<EdgeId> edges;
   seen_[start] = 1;
   std::vector<PointId> found;
@@ -67,6 +70,7 @@ std::vector<PointId> FreePoints::on_shell_of(FaceId start) {
   while (!front.empty() && !beyond_end.valid() && found.size() < most_points) {
     const FaceId face = front.back();
     front.pop_back();
+    faces.push_back(face);
     for_each_in_face(brep_, face, [&](HalfEdgeId h) {
       const VertexId v = brep_.from(h);
       edges.push_back(Brep::edge_of(h));
@@ -85,8 +89,9 @@ std::vector<PointId> FreePoints::on_shell_of(FaceId start) {
   }
   w_.kernel->refresh();
   if (!found.empty()) return found;
-  const PointId only = beyond_end.valid() ? beyond_end : within_an_edge(edges);
-  if (!only.valid()) throw NoFreePoint("a shell lies on the other boundary without a contact");
+  PointId only = beyond_end.valid() ? beyond_end : within_an_edge(edges);
+  if (!only.valid()) only = within_a_face(faces);
+  if (!only.valid()) throw NeedsAllPairs("a shell lies on the other boundary without a contact");
   return {only};
 }
 
@@ -109,7 +114,9 @@ PointId FreePoints::within_an_edge(std::vector<EdgeId>& edges) {
     const HalfEdgeId h = Brep::half_edge(e);
     const PointId from = brep_.point_of(brep_.from(h)), to = brep_.point_of(brep_.to(h));
     for (int axis = 0; axis < 3; ++axis) {
-      const PlaneId across = plane_between(from, to, axis);
+      const double p = component(w_.geometry.position(from), axis),
+                   q = component(w_.geometry.position(to), axis);
+      const PlaneId across = plane_across(axis, p / 2 + q / 2);
       if (w_.tests().side(from, across) * w_.tests().side(to, across) != Sign::negative) continue;
       const Construction how = edge_plane_construction(w_, operand_, h, across);
       const PointId made = add_constructed(w_.geometry, how, w_.tests().construct(how));
@@ -120,13 +127,52 @@ PointId FreePoints::within_an_edge(std::vector<EdgeId>& edges) {
   return {};
 }
 
-PlaneId FreePoints::plane_between(PointId from, PointId to, int axis) {
-  const Vec3 &p = w_.geometry.position(from), &q = w_.geometry.position(to);
-  const double middle[3] = {p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2};
+// All edges may be on crowded lines, which what is within a face is not.
+PointId FreePoints::within_a_face(const std::vector<FaceId>& faces) {
+  std::vector<Entity> found;
+  for (const FaceId face : faces) {
+    std::vector<HalfEdgeId> corners;
+    for_each_in_loop(brep_, brep_.outer_loop[face], [&](HalfEdgeId h) { corners.push_back(h); });
+    for (const double part : {0.5, 0.01})
+      for (const HalfEdgeId corner : corners) {
+        const PointId made = beside_corner(face, corner, part);
+        locate(w_.tests(), patch_, face, Probe(w_.tests(), made), found);
+        if (found.size() == 1 && found.front() == Entity(face) && !is_in_contact(face, made) &&
+            !are_on_crowded_line({made}))
+          return made;
+      }
+  }
+  return {};
+}
+
+// So much of the way to the middle of the edge that cuts the corner off.
+PointId FreePoints::beside_corner(FaceId face, HalfEdgeId corner, double part) {
+  const auto at = [&](HalfEdgeId h, int axis) {
+    return component(w_.geometry.position(brep_.point_of(brep_.from(h))), axis);
+  };
+  const auto across = [&](int axis) {
+    const double middle = at(brep_.prev_of(corner), axis) / 2 + at(brep_.next_of(corner), axis) / 2;
+    return plane_across(axis, (1 - part) * at(corner, axis) + part * middle);
+  };
+  const PlaneId plane = patch_.plane(face);
+  const int axis = w_.tests().main_axis(plane);
+  const Construction how{plane, across((axis + 1) % 3), across((axis + 2) % 3), {}, {}};
+  const PointId made = add_constructed(w_.geometry, how, w_.tests().construct(how));
+  w_.kernel->refresh();
+  return made;
+}
+
+bool FreePoints::is_in_contact(FaceId face, PointId point) const {
+  return std::ranges::any_of(contacts_.contacts, [&](const Contact& c) {
+    return c.on[operand_] == Entity(face) && w_.tests().same_point(contacts_.point(c.place), point);
+  });
+}
+
+PlaneId FreePoints::plane_across(int axis, double at) {
   double normal[3] = {0, 0, 0};
   normal[axis] = 1;
   const PlaneId made =
-      w_.geometry.add_plane(PlaneCoefficients{normal[0], normal[1], normal[2], -middle[axis]});
+      w_.geometry.add_plane(PlaneCoefficients{normal[0], normal[1], normal[2], -at});
   w_.kernel->refresh();
   return made;
 }

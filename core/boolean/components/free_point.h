@@ -9,20 +9,14 @@
 
 namespace sectile {
 
-/// Where no point is known to be free: as a rule, all edges of a shell are on crowded lines
-/// (boolean/near/crowded_lines.h).
-class NoFreePoint : public InternalError {
- public:
-  using InternalError::InternalError;
-};
-
 /// Walks over the loaded faces of one operand, over each once.
 class FreePoints {
  public:
   FreePoints(Workspace& w, const Contacts& contacts, Operand operand);
 
   /// One or a few of the shell to which a loaded face belongs. Adds points, maybe planes, to the
-  /// geometry. May throw NoFreePoint.
+  /// geometry. May throw NeedsAllPairs: all edges of the
+  /// shell are on crowded lines then, and no doubles known to be within one of its faces.
   std::vector<PointId> on_shell_of(FaceId face);
 
  private:
@@ -30,7 +24,10 @@ class FreePoints {
   bool are_on_crowded_line(std::initializer_list<PointId> points) const;
   PointId corner_beyond(HalfEdgeId in_solid);
   PointId within_an_edge(std::vector<EdgeId>& edges);
-  PlaneId plane_between(PointId from, PointId to, int axis);
+  PointId within_a_face(const std::vector<FaceId>& faces);
+  PointId beside_corner(FaceId face, HalfEdgeId corner, double part);
+  PlaneId plane_across(int axis, double at);
+  bool is_in_contact(FaceId face, PointId point) const;
 
   Workspace& w_;
   Operand operand_;
@@ -39,6 +36,7 @@ class FreePoints {
   Table<FaceId, std::uint8_t> seen_;
   Table<VertexId, std::uint8_t> vertex_in_contact_;
   Table<EdgeId, std::uint8_t> edge_in_contact_;
+  const Contacts& contacts_;
 };
 
 }  // namespace sectile

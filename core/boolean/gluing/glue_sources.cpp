@@ -11,7 +11,8 @@ GlueSources::GlueSources(Workspace& w, Operation operation, const FaceLabels& ke
   sources_.reserve(2 + blocks.made_anew(Operand::a).size() + blocks.made_anew(Operand::b).size());
   for (const Operand s : both_operands) {
     const Brep& brep = w.patch[s].brep;
-    sources_.push_back({s, GlueSource::patch, &brep, reversed(operation, s), {}, {}, {}, {}, {}});
+    sources_.push_back(
+        {s, GlueSource::patch, &brep, reversed(operation, s), {}, {}, {}, {}, {}, {}});
     sources_.back().made.resize(brep.half_edge_count());
     partner_[s].resize(brep.half_edge_count());
   }
@@ -41,7 +42,7 @@ void GlueSources::add_block(Geometry& geometry, Operand s, std::uint32_t slot, b
   const Slot& of_solid = w_.patch[s].solid->slot(slot);
   const Block& block = *of_solid.block;
   source_of_slot_[s][slot] = static_cast<std::uint32_t>(sources_.size());
-  sources_.push_back({s, slot, &block.brep(), of_solid.turned != turned, {}, {}, {}, {}, {}});
+  sources_.push_back({s, slot, &block.brep(), of_solid.turned != turned, {}, {}, {}, {}, {}, {}});
   GlueSource& source = sources_.back();
   source.made.resize(block.brep().half_edge_count());
   const std::size_t before = faces_.size();
@@ -87,15 +88,22 @@ HalfEdgeId side_half_edge(const HalfPlane& plane, const JoinedCuts& joined) {
 
 }  // namespace
 
-void GlueSources::pair_sides(const Neighborhoods& n, std::span<const WedgePair> wedges,
+void GlueSources::pair_sides(const Neighborhoods& n, const Wedges& wedges,
                              const JoinedCuts& joined) {
-  for_each(w_, wedges.size(), 8192, [&](std::size_t i) {
-    const HalfPlane &p = n.half_planes[wedges[i].first], &q = n.half_planes[wedges[i].second];
+  for_each(w_, wedges.pairs.size(), 8192, [&](std::size_t i) {
+    const WedgePair& pair = wedges.pairs[i];
+    const HalfPlane &p = n.half_planes[pair.first], &q = n.half_planes[pair.second];
     if (!n.carriers[p.carrier].cut) return;  // both sides of one face or edge
     const HalfEdgeId g = side_half_edge(p, joined), h = side_half_edge(q, joined);
     partner_[p.operand][g] = {h, q.operand};
     partner_[q.operand][h] = {g, p.operand};
   });
+  for (const HalfPlaneId id : wedges.continued) {
+    const HalfPlane& h = n.half_planes[id];
+    GlueSource& patch = sources_[static_cast<std::size_t>(h.operand)];
+    if (patch.continued.empty()) patch.continued.resize(patch.brep->half_edge_count());
+    patch.continued[side_half_edge(h, joined)] = 1;
+  }
 }
 
 GlueSources::Mate GlueSources::mate(const SourceHalfEdge& e) const {

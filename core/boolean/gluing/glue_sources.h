@@ -30,6 +30,9 @@ struct GlueSource {
   Table<PlaneId, PlaneId> turned_planes;     ///< of a patch that is turned
   Table<FaceId, std::uint32_t> place;        ///< of a face that stays, or `nowhere`
   Table<HalfEdgeId, HalfEdgeId> made;        ///< what is made of it
+  /// Of a patch: does it only continue the half-edge before it (Wedges::continued)? Empty if none
+  /// does.
+  Table<HalfEdgeId, std::uint8_t> continued;
 
   static constexpr std::uint32_t patch = 0xFFFFFFFFu, nowhere = 0xFFFFFFFFu;
 
@@ -40,9 +43,11 @@ struct GlueSource {
     const PlaneId s = brep->plane[f];
     return geometry ? geometry->known(s, turned) : turned ? turned_planes[s] : offset.plane(s);
   }
-  /// Is it an edge between the two sides of a cut, of which nothing stays?
-  bool is_null(HalfEdgeId h) const {
-    return slot == patch && brep->point_of(brep->from(h)) == brep->point_of(brep->to(h));
+  /// Is it an edge between the two sides of a cut, of which nothing stays, or a part of what is
+  /// made of another one?
+  bool is_passed_over(HalfEdgeId h) const {
+    return (slot == patch && brep->point_of(brep->from(h)) == brep->point_of(brep->to(h))) ||
+           (!continued.empty() && continued[h] != 0);
   }
 };
 
@@ -52,8 +57,7 @@ class GlueSources {
   GlueSources(Workspace& w, Operation operation, const FaceLabels& kept, const KeptBlocks& blocks);
 
   /// The two half-edges of each pair of wedges are mates from now on.
-  void pair_sides(const Neighborhoods& n, std::span<const WedgePair> wedges,
-                  const JoinedCuts& joined);
+  void pair_sides(const Neighborhoods& n, const Wedges& wedges, const JoinedCuts& joined);
 
   /// A face that stays.
   struct Kept {

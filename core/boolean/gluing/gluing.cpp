@@ -67,7 +67,7 @@ class Gluer {
          l = from.brep->next_loop[l]) {
       part.chain.clear();
       for_each_in_loop(*from.brep, l, [&](HalfEdgeId h) {
-        if (!from.is_null(h)) part.chain.push_back({h, sources_.mate({source, h})});
+        if (!from.is_passed_over(h)) part.chain.push_back({h, sources_.mate({source, h})});
       });
       if (part.chain.empty()) continue;
       ++part.loops;
@@ -168,7 +168,7 @@ class Gluer {
       for (LoopId l = from.brep->outer_loop[face]; l.valid(); l = from.brep->next_loop[l]) {
         chain.clear();
         for_each_in_loop(*from.brep, l, [&](HalfEdgeId h) {
-          if (!from.is_null(h)) chain.push_back(h);
+          if (!from.is_passed_over(h)) chain.push_back(h);
         });
         if (chain.empty()) continue;
         *link = loop;
@@ -229,7 +229,7 @@ class Gluer {
 }  // namespace
 
 Glued glue(Workspace& w, Operation operation, const Neighborhoods& neighborhoods,
-           std::span<const WedgePair> wedges, const JoinedCuts& joined, const FaceLabels& kept) {
+           const Wedges& wedges, const JoinedCuts& joined, const FaceLabels& kept) {
   KeptBlocks blocks(w, operation, kept);
   GlueSources sources(w, operation, kept, blocks);
   sources.pair_sides(neighborhoods, wedges, joined);

@@ -31,6 +31,6 @@ struct Glued {
 /// `kept`: label 1 for the faces that stay. `wedges`: of the neighborhoods, for this operation.
 /// Adds to the workspace's geometry.
 Glued glue(Workspace& w, Operation operation, const Neighborhoods& neighborhoods,
-           std::span<const WedgePair> wedges, const JoinedCuts& joined, const FaceLabels& kept);
+           const Wedges& wedges, const JoinedCuts& joined, const FaceLabels& kept);
 
 }  // namespace sectile

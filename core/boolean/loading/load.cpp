@@ -79,7 +79,7 @@ std::vector<FarLoops> far_loops(const Workspace& w, Operand s,
                                 const Wanted& wanted) {
   const SolidData &mine = *of[s], &across = *of[other(s)];
   const auto may_leave = [&](std::uint32_t slot) { return may_have_far_loops(mine.slot(slot)); };
-  if (w.options.observer || wanted.operations.empty() ||
+  if (w.options.observer || wanted.operations.empty() || wanted.of_complement ||
       std::ranges::none_of(slots.slots(s), may_leave))
     return {};
   std::vector<FaceAndBox> near;
@@ -146,12 +146,10 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
   }
   unite_equal_planes(w, pairs);
   complete_patches(w.patch, w.geometry, *w.kernel);
-  if (lines) {
+  if (lines)
     lines->mark(w);
-    add_owners_on_lines(w, pairs);
-  } else {
+  else
     hubs.add_pairs_of_owners(w, pairs);
-  }
   sort(pairs, w.patch[Operand::a].loaded_faces);
 }
 
@@ -163,8 +161,8 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs
 }
 
 void load_slots(Workspace& w, const SolidData& solid, std::span<const std::uint32_t> slots,
-                FacePairs& pairs) {
-  load(w, solid, solid, SlotPairs(solid, slots), pairs, {});
+                FacePairs& pairs, const Wanted& wanted) {
+  load(w, solid, solid, SlotPairs(solid, slots), pairs, wanted);
 }
 
 }  // namespace sectile

@@ -17,6 +17,6 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, FacePairs& pairs
 
 /// Both operands are one solid, of which nothing but the faces in some of its slots can be loaded.
 void load_slots(Workspace& w, const SolidData& solid, std::span<const std::uint32_t> slots,
-                FacePairs& pairs);
+                FacePairs& pairs, const Wanted& wanted = {});
 
 }  // namespace sectile

@@ -1,7 +1,6 @@
 #include "boolean/near/crowded_lines.h"
 
 #include <algorithm>
-#include <set>
 #include <tuple>
 
 #include "boolean/collect.h"
@@ -74,7 +73,7 @@ FacePairs CrowdedLines::pairs() {
     if (faces_[f].line != none) at[faces_[f].line][faces_[f].solid].push_back(f);
   for (std::uint32_t line = 0; line < at.size(); ++line) {
     add_pairs_along(line, at[line], pairs);
-    add_wedge_pairs(line, at[line], pairs);
+    if (!turned_pairs_of_b_) add_wedge_pairs(line, at[line], pairs);
   }
   return pairs;
 }
@@ -181,7 +180,6 @@ Box CrowdedLines::box_of_wedge(std::uint32_t line, std::uint32_t face, const Sid
   sort_corners(line, beyond, on_line, beside);
   const Vec3 ends[] = {at(side.from), at(side.to)};
   if (of_face == 0 || of_face == beside.size()) return along.reach(ends);
-  if (turned_pairs_of_b_ && faces_[face].solid == Operand::b) return along.reach(ends);
   // Half-edges have their face on the left, seen from outside: beyond a sharp edge the other face
   // goes down on the right.
   const bool turned = data_[faces_[face].solid]->slot(faces_[face].slot).turned;
@@ -232,33 +230,6 @@ void CrowdedLines::mark_vertices(Workspace& w) const {
           std::all_of(first, last, [&](const Marked& m) { return m.line == first->line; });
       patch.on_crowded_line.add(first == last ? 0 : on_one ? 1 + first->line : Patch::several);
     }
-}
-
-namespace {
-
-// Calls visit(face) for the owners of what a face has on crowded lines.
-template <class Visit>
-void for_each_owner_on_lines(const Patch& patch, FaceId face, const Visit& visit) {
-  const auto is_on = [&](VertexId v) { return patch.on_crowded_line[v] != 0; };
-  for_each_in_face(patch.brep, face, [&](HalfEdgeId h) {
-    if (!is_on(patch.brep.from(h))) return;
-    visit(patch.owner(patch.brep.from(h)));
-    if (is_on(patch.brep.to(h))) visit(patch.owner(Brep::edge_of(h)));
-  });
-}
-
-}  // namespace
-
-void add_owners_on_lines(const Workspace& w, FacePairs& pairs) {
-  std::set<std::pair<FaceId, FaceId>> known(pairs.begin(), pairs.end());
-  const auto add = [&](FaceId f, FaceId g) {
-    if (known.insert({f, g}).second) pairs.push_back({f, g});
-  };
-  for (std::size_t i = 0; i < pairs.size(); ++i) {  // those that are added, too
-    const FaceId f = pairs[i].first, g = pairs[i].second;
-    for_each_owner_on_lines(w.patch[Operand::a], f, [&](FaceId owner) { add(owner, g); });
-    for_each_owner_on_lines(w.patch[Operand::b], g, [&](FaceId owner) { add(f, owner); });
-  }
 }
 
 }  // namespace sectile

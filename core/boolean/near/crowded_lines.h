@@ -5,13 +5,15 @@
 // leave the line in different directions meet in nothing but the line. Does that matter? A walk
 // around a vertex of A on the line and one around a vertex of B there cross evenly often. So if
 // none of their faces meet off the line, then nowhere along it does the surface of one lead from
-// one side of the other's to its other side: neither has to be cut, and what one is to the other
-// is the same on all of it. Only where a wedge of material at an edge of one has a direction in
-// common with a wedge of the other, the material of a result has edges of both, and they are paired
-// there. Where the edges of a solid bound the wedges between its material, as it is to be turned
-// inside out, a wedge that holds an edge may be bounded by any of them, and all are paired. All
-// other pairs are left out, and what hangs together by no pair is a cluster of its own
-// (reduction/clusters.h).
+// one side of the other's to its other side: neither has to be cut there, and what one is to the
+// other is the same on all of it. What the edges share is a row (reduction/rows_on_lines.h): it
+// has all of them, whatever meets.
+//
+// Where no row can be made, wedges of material that have a direction in common are in pairs, as a
+// result has edges of both there; what hangs together by no pair is a cluster of its own
+// (reduction/clusters.h). That does not do where the edges of a solid bound the wedges between its
+// material, as it is to be turned inside out: a wedge that holds an edge may be bounded by any of
+// them.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +30,8 @@ namespace sectile {
 
 class CrowdedLines {
  public:
-  /// Of the blocks in some slots of each solid. The edges of b may bound wedges without material.
+  /// Of the blocks in some slots of each solid. The edges of b may bound wedges without material:
+  /// then there are no pairs of wedges.
   CrowdedLines(const SolidData& a, const SolidData& b,
                const PerOperand<std::span<const std::uint32_t>>& slots, bool turned_pairs_of_b);
 
@@ -101,9 +104,5 @@ class CrowdedLines {
   SpineLines lines_;
   std::vector<std::optional<Hull>> hulls_;  // of faces that were asked for
 };
-
-/// What a face of a pair has on a crowded line is tested against the other one in the pair of the
-/// face that speaks for it: adds these pairs of loaded faces.
-void add_owners_on_lines(const Workspace& w, FacePairs& pairs);
 
 }  // namespace sectile

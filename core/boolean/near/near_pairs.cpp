@@ -128,6 +128,8 @@ class NearPairs {
 // For each face near the other solid. Where there are more, it is worth while to find out why. What
 // differs hangs together with what is common, where there are that many.
 constexpr std::size_t many_pairs = threshold(8, 1), many_pairs_of_what_differs = threshold(64, 16);
+// A solid that is tested against itself has some for each face at all of its corners.
+constexpr std::size_t many_with_itself = threshold(32, 1);
 
 class NearFinder {
   // What touches a face that was taken for deep makes others be none.
@@ -140,6 +142,7 @@ class NearFinder {
 
   Near run() {
     if (!may_leave_out()) return all();
+    if (&a_ == &b_) return with_itself();
     const bool have_much_in_common =
         slots_.have_common_blocks(a_, b_) || seem_to_have_common_faces(a_, b_, slots_.slots());
     if (have_much_in_common)
@@ -155,6 +158,12 @@ class NearFinder {
   // Whoever follows the phases, or asks for all that is cut, is shown all that meets.
   bool may_leave_out() const {
     return !w_.options.observer && !wanted_.operations.empty() && !wanted_.all_pairs;
+  }
+
+  Near with_itself() const {
+    if (auto near = few(slots_, many_with_itself)) return *std::move(near);
+    if (auto near = all_but_along_crowded_lines()) return *std::move(near);
+    return all();
   }
 
   Near without_pairs(const SlotPairs& slots) const {

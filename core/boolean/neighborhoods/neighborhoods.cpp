@@ -7,6 +7,7 @@
 
 #include "boolean/collect.h"
 #include "boolean/line.h"
+#include "boolean/neighborhoods/row_sweep.h"
 #include "geometry/around_line.h"
 #include "numbers/threshold.h"
 #include "search/bucket_sort.h"
@@ -329,16 +330,17 @@ class Finder {
     found_.carriers.resize(first_carrier.back().value());
     found_.half_planes.resize(2 * found_.carriers.size());
     found_.wedges.resize(wanted_.operations.size());
-    using Wedges = std::vector<std::vector<WedgePair>>;
-    auto parts = collect_ranges<Wedges>(
-        w_, segment_count(), chunk, [&](std::size_t first, std::size_t last, Wedges& wedges) {
+    using Pairs = std::vector<std::vector<WedgePair>>;
+    auto parts = collect_ranges<Pairs>(
+        w_, segment_count(), chunk, [&](std::size_t first, std::size_t last, Pairs& wedges) {
           SegmentBuilder build(w_, contacts_, wanted_, first_carrier[first / chunk], found_,
                                wedges);
           for (std::size_t i = first; i < last; ++i) build(SegmentId(i), records(i));
         });
-    for (Wedges& wedges : parts)
+    for (Pairs& wedges : parts)
       for (std::size_t i = 0; i < wedges.size(); ++i)
-        append(found_.wedges[i], std::move(wedges[i]));
+        append(found_.wedges[i].pairs, std::move(wedges[i]));
+    for (const Row& row : contacts_.rows) add_row(w_, contacts_, row, wanted_, found_);
     return std::move(found_);
   }
 

@@ -34,7 +34,8 @@ struct HalfPlane {
   Class cls = Class::out;
 };
 
-/// A contact segment with all that meets in it.
+/// A contact segment with all that meets in it; of a row of edges, as much of one edge as has the
+/// same neighbors all along (row_sweep.h).
 struct Segment {
   PlaceId place[2];
   IdRange<CarrierId> carriers;
@@ -47,12 +48,19 @@ struct WedgePair {
   HalfPlaneId first, second;
 };
 
+/// The wedges of material of a result.
+struct Wedges {
+  std::vector<WedgePair> pairs;  ///< in the order of the segments, those of rows last
+  /// Sides of cuts that go on where the side before them ends, in the same wedge: what is paired
+  /// for that one is paired for them, too.
+  std::vector<HalfPlaneId> continued;
+};
+
 struct Neighborhoods {
   Table<SegmentId, Segment> segments;
   Table<CarrierId, Carrier> carriers;
   Table<HalfPlaneId, HalfPlane> half_planes;
-  /// Per wanted operation, in the order of the segments.
-  std::vector<std::vector<WedgePair>> wedges;
+  std::vector<Wedges> wedges;  ///< per wanted operation
 };
 
 /// For which results the boundaries are cut. If no operation is wanted, the carriers between whose

@@ -1,7 +1,7 @@
 // Clusters: faces of both solids that hang together by pairs that may meet, and by their vertices.
 //
-// Needed beside lines where very many edges run (boolean/near/crowded_lines.h): a place there
-// divides what is of one cluster with it, and nothing else.
+// Needed beside lines where very many edges run (boolean/near/crowded_lines.h), unless they are
+// rows: a place there divides what is of one cluster with it, and nothing else.
 #pragma once
 
 #include <cstdint>

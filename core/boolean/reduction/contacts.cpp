@@ -9,6 +9,7 @@
 #include "boolean/face_location.h"
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
+#include "boolean/reduction/tests_on_lines.h"
 #include "geometry/constructed_points.h"
 #include "numbers/threshold.h"
 #include "search/bucket_sort.h"
@@ -96,9 +97,11 @@ class PairTest {
   static constexpr std::size_t few_pairs = threshold(256, 1);
 
  public:
-  PairTest(const Workspace& w, PairOutput& out) : w_(w), kernel_(w.tests()), out_(out) {}
+  PairTest(const Workspace& w, const TestsOnLines& on_lines, PairOutput& out)
+      : w_(w), kernel_(w.tests()), on_lines_(on_lines), out_(out) {}
 
-  void operator()(FaceId a, FaceId b) {
+  void operator()(std::size_t pair, FaceId a, FaceId b) {
+    pair_ = pair;
     auto& sided = out_.sided;
     sided[Operand::a].clear();
     sided[Operand::b].clear();
@@ -132,15 +135,26 @@ class PairTest {
     const Patch& patch = w_.patch[s];
     for (const SidedHalfEdge& i : out_.sided[s]) {
       const VertexId v = patch.brep.from(i.h);
-      if (i.from == Sign::zero && patch.owner(v) == face && patch.brep.vertex_half_edge[v] == i.h)
+      if (i.from == Sign::zero && speaks_for_vertex(s, face, i.h))
         record(s, v, across, Probe(kernel_, patch.brep.point_of(v)));
       const EdgeId e = Brep::edge_of(i.h);
-      if (patch.owner(e) != face) continue;
+      if (!speaks_for_edge(s, face, i.h)) continue;
       if (i.from * i.to == Sign::negative)
         record(s, e, across, edge_probe(s, i.h, across));
       else if (i.from == Sign::zero && i.to == Sign::zero)
         out_.in_plane[s].push_back({e, across});
     }
+  }
+
+  bool speaks_for_vertex(Operand s, FaceId face, HalfEdgeId h) const {
+    const Patch& patch = w_.patch[s];
+    const VertexId v = patch.brep.from(h);
+    if (on_lines_.has_vertex(s, v)) return on_lines_.vertex_is_tested(s, pair_, h);
+    return patch.owner(v) == face && patch.brep.vertex_half_edge[v] == h;
+  }
+  bool speaks_for_edge(Operand s, FaceId face, HalfEdgeId h) const {
+    if (on_lines_.has_edge(s, h)) return on_lines_.edge_is_tested(s, pair_, h);
+    return w_.patch[s].owner(Brep::edge_of(h)) == face;
   }
 
   Probe edge_probe(Operand s, HalfEdgeId h, FaceId across) const {
@@ -176,7 +190,7 @@ class PairTest {
     const Patch& patch = w_.patch[s];
     out_.flat[s].clear();
     for (const SidedHalfEdge& i : out_.sided[s])
-      if (const EdgeId e = Brep::edge_of(i.h); patch.is_flat(e) && patch.owner(e) == face)
+      if (const EdgeId e = Brep::edge_of(i.h); patch.is_flat(e) && speaks_for_edge(s, face, i.h))
         out_.flat[s].push_back(i.h);
   }
 
@@ -205,6 +219,8 @@ class PairTest {
 
   const Workspace& w_;
   const Kernel& kernel_;
+  const TestsOnLines& on_lines_;
+  std::size_t pair_ = 0;  // that is tested
   PairOutput& out_;
 };
 
@@ -422,11 +438,13 @@ std::span<const Hit> ContactTable::find(Operand solid, Entity piercer, FaceId fa
 }
 
 ContactTable find_contacts(Workspace& w, const FacePairs& candidates, Contacts& found) {
+  const TestsOnLines on_lines(w, candidates);
   auto outputs = collect_ranges<PairOutput>(
       w, candidates.size(), 128, [&](std::size_t first, std::size_t last, PairOutput& out) {
         out.reserve(last - first);
-        PairTest test(w, out);
-        for (std::size_t i = first; i < last; ++i) test(candidates[i].first, candidates[i].second);
+        PairTest test(w, on_lines, out);
+        for (std::size_t i = first; i < last; ++i)
+          test(i, candidates[i].first, candidates[i].second);
       });
   ContactTable table;
   for (const Operand s : both_operands) table.numbers[s] = EntityNumbers(w.patch[s].brep);

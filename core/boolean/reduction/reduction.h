@@ -12,6 +12,7 @@
 #include "boolean/workspace.h"
 #include "numbers/sign.h"
 #include "numbers/unset_vector.h"
+#include "sectile/errors.h"
 
 namespace sectile {
 
@@ -45,13 +46,39 @@ struct SegmentRecord {
 
 using SegmentRecords = UnsetVector<SegmentRecord>;
 
+/// All edges of both operands along one crowded line. What they share is in no segment: a sweep
+/// along the line finds where each has to be divided.
+struct Row {
+  struct Run {
+    Operand operand;
+    EdgeId edge;
+    std::uint32_t from, to;  ///< places of the row, ascending
+    VertexId end[2];
+  };
+  /// A place at which something of the other operand meets the edge of a run.
+  struct Meeting {
+    std::uint32_t place, run;
+  };
+  std::vector<PlaceId> places;  ///< as they follow each other along the line
+  std::vector<Run> runs;        ///< by operand and edge
+  std::vector<Meeting> meetings;
+};
+
 /// Where the two boundaries meet.
 struct Contacts {
   Table<ContactId, Contact> contacts;  ///< as pairs of faces find them, crossings last
   Table<PlaceId, PointId> places;      ///< the point of each place
   SegmentRecords segments;             ///< of what shares one, all pairs, or enough of very many
+  std::vector<Row> rows;
+  bool has_unswept_lines = false;  ///< is there a crowded line that has no row?
 
   PointId point(PlaceId place) const { return places[place]; }
+};
+
+/// Where pairs are missing that were left out along crowded lines, or as common faces.
+class NeedsAllPairs : public InternalError {
+ public:
+  using InternalError::InternalError;
 };
 
 /// The contacts of pairs of loaded faces that may meet. Vertices of the patches that are at one

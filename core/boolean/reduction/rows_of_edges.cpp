@@ -1,7 +1,8 @@
 // Edges of both operands that lie on each other along one line, as where two books have one spine.
 // Each of n beside each of n others makes n² records; if all end elsewhere, each record would be
 // divided at n places. But a segment is what its carriers are, of which there are 2n at most: of
-// the records along it those suffice that show a carrier first, and so n² are left of n³.
+// the records along it those suffice that show a carrier first, and so n² are left of n³. Where a
+// sweep along the line does instead (rows_on_lines.h), there are no records.
 #include <algorithm>
 #include <numeric>
 #include <span>

@@ -8,6 +8,7 @@
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
 #include "boolean/reduction/crossing_faces.h"
+#include "boolean/reduction/rows_on_lines.h"
 #include "boolean/reduction/standing.h"
 #include "geometry/axes.h"
 #include "numbers/threshold.h"
@@ -332,6 +333,7 @@ Contacts reduce(Workspace& w, const FacePairs& candidates) {
   const ContactTable table = find_contacts(w, candidates, found);
   find_segments(w, table, found);
   leave_out_open_edges(w, found);
+  make_rows(w, found);
   divide_rows(w, found);
   const Clusters clusters(w, candidates);
   split_at_places(w, clusters, found);

@@ -1,6 +1,7 @@
 // Whatever takes long ends soon after it was asked to, wherever in the work that is.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <ctime>
 #include <functional>
@@ -34,7 +35,9 @@ void expect_to_end_soon(const Work& work) {
     rises = rises && done >= last;
     last = done;
   });
-  const double whole = processor_time() - start;
+  const double first = processor_time() - start;
+  work(nullptr, {});  // what is done once, and busy neighbours, make the first one take longer
+  const double whole = std::min(first, processor_time() - start - first);
   EXPECT_TRUE(rises);
   EXPECT_EQ(last, 1);
   int cancelled = 0;

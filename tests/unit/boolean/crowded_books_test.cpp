@@ -2,9 +2,12 @@
 // nothing is left out.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <random>
 
+#include "boolean/components/free_point.h"
+#include "boolean/loading/load.h"
 #include "cases.h"
 #include "sectile/repair.h"
 #include "sectile/sectile.h"
@@ -119,25 +122,64 @@ TEST(CrowdedBooks, AreNotCutByBooksBesideThem) {
 }
 
 // The walls of one solid begin in the lines of all edges of a tetrahedron, beyond its corners:
-// nothing of it is known to be off them by the lines that it is on.
+// nothing of it but its faces is known to be off them by the lines that it is on.
+struct TetrahedronAtLines {
+  Solid a, b;
+
+  TetrahedronAtLines() {
+    const Vec3 o{0, 0, 0}, x{1024, 0, 0}, y{0, 1024, 0}, z{0, 0, 1024};
+    const Vec3 left{-1, 0, 0}, front{0, -1, 0}, down{0, 0, -1}, out{1, 1, 1};
+    PolygonMesh of_a, of_b;
+    add_tetrahedron({o, x, y, z}, of_a);
+    for (const double far : {-8192.0, 8192.0})  // so that all is near its box
+      add_tetrahedron(
+          {{{far, far, far}, {far + 1, far, far}, {far, far + 1, far}, {far, far, far + 1}}}, of_a);
+    for (const Spine& spine : {Spine{o, x, front, down},
+                               {o, y, down, left},
+                               {o, z, left, front},
+                               {x, y, out, down},
+                               {y, z, out, left},
+                               {z, x, out, front}})
+      add_walls(spine, 1100, 1400, 2, 40, of_b);
+    add_crowd_elsewhere(0, of_a);
+    add_crowd_elsewhere(2, of_b);
+    a = repair(of_a);
+    b = repair(of_b);
+  }
+};
+
 TEST(CrowdedBooks, AtTheLinesOfATetrahedronLeaveItAsItIs) {
-  const Vec3 o{0, 0, 0}, x{1024, 0, 0}, y{0, 1024, 0}, z{0, 0, 1024};
-  const Vec3 left{-1, 0, 0}, front{0, -1, 0}, down{0, 0, -1}, out{1, 1, 1};
-  PolygonMesh a, b;
-  add_tetrahedron({o, x, y, z}, a);
-  for (const double far : {-8192.0, 8192.0})  // so that all is near its box
-    add_tetrahedron(
-        {{{far, far, far}, {far + 1, far, far}, {far, far + 1, far}, {far, far, far + 1}}}, a);
-  for (const Spine& spine : {Spine{o, x, front, down},
-                             {o, y, down, left},
-                             {o, z, left, front},
-                             {x, y, out, down},
-                             {y, z, out, left},
-                             {z, x, out, front}})
-    add_walls(spine, 1100, 1400, 2, 40, b);
-  add_crowd_elsewhere(0, a);
-  add_crowd_elsewhere(2, b);
-  expect_apart(repair(a), repair(b));
+  const TetrahedronAtLines given;
+  expect_apart(given.a, given.b);
+}
+
+TEST(CrowdedBooks, AtTheLinesOfATetrahedronLeavePointsWithinItsFaces) {
+  const TetrahedronAtLines given;
+  const BooleanOptions options;
+  Workspace w(options);
+  FacePairs pairs;
+  const Operation unite[] = {Operation::unite};
+  load(w, *given.a.data(), *given.b.data(), pairs, {unite});
+  ASSERT_FALSE(w.crowded_lines.empty());
+  const Contacts contacts = reduce(w, pairs);
+  const Patch& patch = w.patch[Operand::a];
+  const auto is_of_tetrahedron = [&](FaceId f) {
+    bool all = true;
+    for_each_in_face(patch.brep, f, [&](HalfEdgeId h) {
+      const Vec3 p = w.geometry.position(patch.brep.point_of(patch.brep.from(h)));
+      all &= p.x + p.y + p.z == 1024;
+    });
+    return all;
+  };
+  const auto faces = patch.brep.faces();
+  const auto face = std::ranges::find_if(faces, is_of_tetrahedron);
+  ASSERT_NE(face, faces.end());
+  FreePoints free(w, contacts, Operand::a);
+  const std::vector<PointId> found = free.on_shell_of(*face);
+  ASSERT_EQ(found.size(), 1u);
+  const Vec3 p = w.geometry.position(found[0]);
+  EXPECT_GT(std::min({p.x, p.y, p.z}), 0);
+  EXPECT_EQ(w.tests().side(found[0], patch.plane(*face)), Sign::zero);
 }
 
 TEST(CrowdedBooks, AreWhatTheyAreForAnObserver) {
@@ -148,6 +190,54 @@ TEST(CrowdedBooks, AreWhatTheyAreForAnObserver) {
       std::mt19937 random(seed);
       const Solid a = random_book(random, 45, lows, seed % 2 == 1);
       expect_the_same_for_an_observer(a, random_book(random, 45, lows, seed % 2 == 1));
+    }
+}
+
+// A leaf for each part of a turn, that reaches to the next one at most; some have another one above
+// them.
+Solid random_chain(std::mt19937& random, int first, int lows, bool sheared) {
+  constexpr int turn = 192, step = 4;
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  PolygonMesh mesh;
+  for (int at = first; at < first + turn; at += step) {
+    const int end = at + 1 + below(step - 1), low = below(lows), high = low + 1 + below(60);
+    test::add_leaf({at % turn, end % turn, low, high}, sheared, mesh);
+    const int next = high + 1 + below(5);
+    if (below(3) == 0)
+      test::add_leaf({at % turn, end % turn, next, next + 1 + below(60)}, sheared, mesh);
+  }
+  return Solid::from_mesh(mesh);
+}
+
+// Each leaf of one overlaps the next one of the other, all around the line.
+TEST(CrowdedBooks, OfLeavesThatOverlapAllAroundAreWhatTheyAreForAnObserver) {
+  for (const int lows : {40, 3, 1})
+    for (unsigned seed = 0; seed < cases(2u); ++seed) {
+      SCOPED_TRACE(lows);
+      SCOPED_TRACE(seed);
+      std::mt19937 random(seed);
+      const Solid a = random_chain(random, 0, lows, seed % 2 == 1);
+      expect_the_same_for_an_observer(a, random_chain(random, 2, lows, seed % 2 == 1));
+    }
+}
+
+// Nothing but the sets' own laws, and volumes: no other way of the Boolean is asked.
+TEST(CrowdedBooks, OfLeavesThatOverlapAllAroundObeyTheLawsOfSets) {
+  for (const int lows : {40, 1})
+    for (unsigned seed = 0; seed < cases(3u); ++seed) {
+      SCOPED_TRACE(lows);
+      SCOPED_TRACE(seed);
+      std::mt19937 random(seed);
+      const Solid a = random_chain(random, 0, lows, false),
+                  b = random_chain(random, 1, lows, false),
+                  both = boolean(a, b, Operation::intersect), any = boolean(a, b, Operation::unite),
+                  rest = boolean(a, b, Operation::subtract);
+      EXPECT_NEAR(any.volume() + both.volume(), a.volume() + b.volume(), 1e-9 * any.volume());
+      EXPECT_NEAR(rest.volume() + both.volume(), a.volume(), 1e-9 * a.volume());
+      EXPECT_TRUE(boolean(rest, both, Operation::unite) == a);
+      EXPECT_TRUE(boolean(any, rest, Operation::subtract) == b);
+      EXPECT_TRUE(boolean(rest, b, Operation::intersect).is_empty());
+      for (const Solid& made : {both, any, rest}) EXPECT_TRUE(validate(made).empty());
     }
 }
 

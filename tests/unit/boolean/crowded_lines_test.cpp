@@ -7,10 +7,13 @@
 #include <numbers>
 #include <set>
 
+#include "boolean/boolean.h"
 #include "boolean/loading/load.h"
 #include "boolean/reduction/clusters.h"
 #include "sectile/boolean.h"
+#include "sectile/primitives.h"
 #include "sectile/trace.h"
+#include "sectile/transform.h"
 
 namespace sectile {
 namespace {
@@ -77,6 +80,43 @@ TEST(CrowdedLines, PagesAllAroundAreOneCluster) {
   const Reduced found(book(0, 0.7, 0), book(0.5, 0.7, 0.5), {unite});
   EXPECT_TRUE(found.leaves_out());
   EXPECT_EQ(found.clusters.size(), 1u);
+}
+
+// No end of a page divides them yet.
+TEST(CrowdedLines, EdgesOfBothAlongTheLineAreARow) {
+  const Reduced found(book(0, 0.7, 0), book(0.5, 0.7, 0.5), {unite});
+  EXPECT_FALSE(found.contacts.has_unswept_lines);
+  ASSERT_EQ(found.contacts.rows.size(), 1u);
+  const Row& row = found.contacts.rows[0];
+  EXPECT_EQ(row.runs.size(), 2u * pages);
+  EXPECT_EQ(row.places.size(), 4u * pages);
+  EXPECT_LT(found.contacts.segments.size(), 30u * pages);
+  for (const SegmentRecord& r : found.contacts.segments)
+    EXPECT_FALSE(r.on[Operand::a].is_edge() && r.on[Operand::b].is_edge());
+}
+
+// A page that goes on beyond the line has a face on both sides of it.
+TEST(CrowdedLines, HaveNoRowWhereAFaceLiesOnBothSides) {
+  const Solid across = transformed(block({-1, -1e-3, 0.5}, {1, 0, 1.25}),
+                                   Transform::rotation_degrees({0, 0, 1}, 1.2 * 360 / pages));
+  const Solid b = boolean(book(0.5, 0.3, 0.5), across, Operation::unite);
+  const Reduced found(book(0, 0.3, 0), b, {unite});
+  ASSERT_TRUE(found.leaves_out());
+  EXPECT_TRUE(found.contacts.has_unswept_lines);
+  EXPECT_TRUE(found.contacts.rows.empty());
+}
+
+// Each end of a page is one of a piece of itself, of two neighbours, and of what they are paired
+// with.
+TEST(CrowdedLines, PagesAllAroundAreDividedAtFewEndsOfOthers) {
+  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract}) {
+    const Operation wanted[] = {operation};
+    Reduced found(book(0, 0.7, 0), book(0.5, 0.7, 0.5), {wanted});
+    const std::size_t segments = found.contacts.segments.size();
+    const CutBoundaries cut = cut_at(found.w, std::move(found.contacts), {wanted});
+    EXPECT_GT(cut.neighborhoods.segments.size(), segments + 2u * pages);
+    EXPECT_LT(cut.neighborhoods.segments.size(), segments + 15u * pages);
+  }
 }
 
 TEST(CrowdedLines, NothingIsLeftOutWhereAllIsAskedFor) {

@@ -43,8 +43,8 @@ TEST(Neighborhoods, TwoFacesThatCrossAreFourHalfPlanesInTurn) {
     }
     // One wedge of material each, between two faces, so that all are cut.
     ASSERT_EQ(n.wedges.size(), 1u);
-    EXPECT_EQ(n.wedges[0].size(), 6u);
-    for (const WedgePair& pair : n.wedges[0])
+    EXPECT_EQ(n.wedges[0].pairs.size(), 6u);
+    for (const WedgePair& pair : n.wedges[0].pairs)
       for (const HalfPlaneId id : {pair.first, pair.second}) {
         const HalfPlane& h = n.half_planes[id];
         const bool outside = operation == Operation::unite ||
@@ -90,7 +90,7 @@ TEST(Neighborhoods, AroundTheEdgesOfFlushBlocks) {
       EXPECT_EQ(opposite, 2);  // the two copies of the common face
       EXPECT_EQ(outside, 2);
     }
-    EXPECT_EQ(n.wedges[0].size(), wedges);
+    EXPECT_EQ(n.wedges[0].pairs.size(), wedges);
     EXPECT_EQ(cut_carriers(n), cut);
   };
   // The union is one wedge between faces of both; A \ B is A with the wedge that it had; A ∩ B is
