@@ -159,7 +159,7 @@ TEST(CrowdedBooks, AtTheLinesOfATetrahedronLeavePointsWithinItsFaces) {
   Workspace w(options);
   FacePairs pairs;
   const Operation unite[] = {Operation::unite};
-  load(w, *given.a.data(), *given.b.data(), pairs, {unite});
+  load(w, given.a.data()->in_one_block(), given.b.data()->in_one_block(), pairs, {unite});
   ASSERT_FALSE(w.crowded_lines.empty());
   const Contacts contacts = reduce(w, pairs);
   const Patch& patch = w.patch[Operand::a];
