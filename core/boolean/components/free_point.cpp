@@ -24,11 +24,12 @@ FreePoints::FreePoints(Workspace& w, const Contacts& contacts, Operand operand)
       seen_(brep_.face_count()),
       vertex_in_contact_(brep_.vertex_count()),
       edge_in_contact_(brep_.edge_count()),
-      contacts_(contacts) {
+      face_in_contact_(brep_.face_count()) {
   for (const Contact& c : contacts.contacts) {
     const Entity mine = c.on[operand];
     if (mine.is_vertex()) vertex_in_contact_[mine.vertex()] = 1;
     if (mine.is_edge()) edge_in_contact_[mine.edge()] = 1;
+    if (mine.is_face()) face_in_contact_[mine.face()] = 1;
   }
   add_crowded_lines();
   if (!patch_.tested.any()) return;
@@ -131,14 +132,14 @@ PointId FreePoints::within_an_edge(std::vector<EdgeId>& edges) {
 PointId FreePoints::within_a_face(const std::vector<FaceId>& faces) {
   std::vector<Entity> found;
   for (const FaceId face : faces) {
+    if (face_in_contact_[face]) continue;
     std::vector<HalfEdgeId> corners;
     for_each_in_loop(brep_, brep_.outer_loop[face], [&](HalfEdgeId h) { corners.push_back(h); });
     for (const double part : {0.5, 0.01})
       for (const HalfEdgeId corner : corners) {
         const PointId made = beside_corner(face, corner, part);
         locate(w_.tests(), patch_, face, Probe(w_.tests(), made), found);
-        if (found.size() == 1 && found.front() == Entity(face) && !is_in_contact(face, made) &&
-            !are_on_crowded_line({made}))
+        if (found.size() == 1 && found.front() == Entity(face) && !are_on_crowded_line({made}))
           return made;
       }
   }
@@ -160,12 +161,6 @@ PointId FreePoints::beside_corner(FaceId face, HalfEdgeId corner, double part) {
   const PointId made = add_constructed(w_.geometry, how, w_.tests().construct(how));
   w_.kernel->refresh();
   return made;
-}
-
-bool FreePoints::is_in_contact(FaceId face, PointId point) const {
-  return std::ranges::any_of(contacts_.contacts, [&](const Contact& c) {
-    return c.on[operand_] == Entity(face) && w_.tests().same_point(contacts_.point(c.place), point);
-  });
 }
 
 PlaneId FreePoints::plane_across(int axis, double at) {

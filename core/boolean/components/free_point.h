@@ -15,8 +15,8 @@ class FreePoints {
   FreePoints(Workspace& w, const Contacts& contacts, Operand operand);
 
   /// One or a few of the shell to which a loaded face belongs. Adds points, maybe planes, to the
-  /// geometry. May throw NeedsAllPairs: all edges of the
-  /// shell are on crowded lines then, and no doubles known to be within one of its faces.
+  /// geometry. May throw NeedsAllPairs: all edges of the shell are on crowded lines then, and none
+  /// of its faces is known to have doubles within it, and no contact.
   std::vector<PointId> on_shell_of(FaceId face);
 
  private:
@@ -27,7 +27,6 @@ class FreePoints {
   PointId within_a_face(const std::vector<FaceId>& faces);
   PointId beside_corner(FaceId face, HalfEdgeId corner, double part);
   PlaneId plane_across(int axis, double at);
-  bool is_in_contact(FaceId face, PointId point) const;
 
   Workspace& w_;
   Operand operand_;
@@ -36,7 +35,7 @@ class FreePoints {
   Table<FaceId, std::uint8_t> seen_;
   Table<VertexId, std::uint8_t> vertex_in_contact_;
   Table<EdgeId, std::uint8_t> edge_in_contact_;
-  const Contacts& contacts_;
+  Table<FaceId, std::uint8_t> face_in_contact_;
 };
 
 }  // namespace sectile

@@ -193,6 +193,35 @@ TEST(CrowdedBooks, AreWhatTheyAreForAnObserver) {
     }
 }
 
+// Leaves farther up, so that very many edges of both solids run along the line.
+void add_crowd_above(int first, PolygonMesh& mesh) {
+  for (int i = 0; i < 45; ++i)
+    test::add_leaf({first + 4 * i, first + 4 * i + 1, 100 + i, 300 - i}, false, mesh);
+}
+
+// Two quarters side by side have one face on both sides of the line, which lies within it as far as
+// both reach. The edge of a leaf beyond that face says nothing of what is within the quarters.
+TEST(CrowdedBooks, WithAFaceOnBothSidesOfTheLineAreWhatTheyAreForAnObserver) {
+  for (const int turn : {0, 96})
+    for (const int leaf : {20, 94, 120}) {
+      SCOPED_TRACE(turn);
+      SCOPED_TRACE(leaf);
+      PolygonMesh of_a, quarter, other, above;
+      test::add_leaf({(turn + leaf) % 192, (turn + leaf + 4) % 192, 6, 9}, false, of_a);
+      add_crowd_above(0, of_a);
+      test::add_leaf({turn, (turn + 48) % 192, 0, 10}, false, quarter);
+      test::add_leaf({(turn + 48) % 192, (turn + 96) % 192, 5, 20}, false, other);
+      add_crowd_above(2, above);
+      test::add_leaf({(turn + 140) % 192, (turn + 144) % 192, 5, 13}, false, above);
+      const Solid quarters =
+          boolean(Solid::from_mesh(quarter), Solid::from_mesh(other), Operation::unite);
+      const Solid joined = Solid::from_mesh(quarters.to_mesh());  // with flat faces joined
+      const Solid b = boolean(joined, Solid::from_mesh(above), Operation::unite);
+      expect_the_same_for_an_observer(Solid::from_mesh(of_a), b);
+      expect_the_same_for_an_observer(b, Solid::from_mesh(of_a));
+    }
+}
+
 // A leaf for each part of a turn, that reaches to the next one at most; some have another one above
 // them.
 Solid random_chain(std::mt19937& random, int first, int lows, bool sheared) {

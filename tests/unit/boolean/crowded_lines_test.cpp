@@ -95,12 +95,27 @@ TEST(CrowdedLines, EdgesOfBothAlongTheLineAreARow) {
     EXPECT_FALSE(r.on[Operand::a].is_edge() && r.on[Operand::b].is_edge());
 }
 
-// A page that goes on beyond the line has a face on both sides of it.
-TEST(CrowdedLines, HaveNoRowWhereAFaceLiesOnBothSides) {
+// A page that goes on beyond the line: pages of the other book have edges in its face.
+TEST(CrowdedLines, HaveNoRowWhereEdgesAreInAFace) {
   const Solid across = transformed(block({-1, -1e-3, 0.5}, {1, 0, 1.25}),
                                    Transform::rotation_degrees({0, 0, 1}, 1.2 * 360 / pages));
   const Solid b = boolean(book(0.5, 0.3, 0.5), across, Operation::unite);
   const Reduced found(book(0, 0.3, 0), b, {unite});
+  ASSERT_TRUE(found.leaves_out());
+  EXPECT_TRUE(found.contacts.has_unswept_lines);
+  EXPECT_TRUE(found.contacts.rows.empty());
+}
+
+// Two quarters, one above the other in part, have a common face, in which the line runs as far as
+// both reach, and corners on the line. The other solid is near it, but not there.
+TEST(CrowdedLines, HaveNoRowWhereAFaceLiesOnBothSides) {
+  const Solid quarters =
+      boolean(block({0, 0, 5}, {1, 1, 10}), block({-1, 0, 7}, {0, 1, 15}), Operation::unite);
+  const Solid joined = Solid::from_mesh(quarters.to_mesh());  // with flat faces joined
+  const Solid b = boolean(book(0.5, 0.3, 0.5), joined, Operation::unite);
+  const Solid stick =
+      boolean(book(0, 0.3, 0), block({0.5, 0.5, 4}, {0.6, 0.6, 16}), Operation::unite);
+  const Reduced found(stick, b, {unite});
   ASSERT_TRUE(found.leaves_out());
   EXPECT_TRUE(found.contacts.has_unswept_lines);
   EXPECT_TRUE(found.contacts.rows.empty());
