@@ -107,14 +107,14 @@ TEST(CrowdedLines, HaveNoRowWhereEdgesAreInAFace) {
 }
 
 // Two quarters, one above the other in part, have a common face, in which the line runs as far as
-// both reach, and corners on the line. The other solid is near it, but not there.
+// both reach, and corners on the line. The other solid meets it, but not there.
 TEST(CrowdedLines, HaveNoRowWhereAFaceLiesOnBothSides) {
   const Solid quarters =
       boolean(block({0, 0, 5}, {1, 1, 10}), block({-1, 0, 7}, {0, 1, 15}), Operation::unite);
   const Solid joined = Solid::from_mesh(quarters.to_mesh());  // with flat faces joined
   const Solid b = boolean(book(0.5, 0.3, 0.5), joined, Operation::unite);
   const Solid stick =
-      boolean(book(0, 0.3, 0), block({0.5, 0.5, 4}, {0.6, 0.6, 16}), Operation::unite);
+      boolean(book(0, 0.3, 0), block({0.5, -0.5, 8}, {0.6, 0.5, 9}), Operation::unite);
   const Reduced found(stick, b, {unite});
   ASSERT_TRUE(found.leaves_out());
   EXPECT_TRUE(found.contacts.has_unswept_lines);
