@@ -72,8 +72,8 @@ Solid solid_of(const Workspace& w, Glued glued) {
 CutBoundaries cut(Workspace& w, const FacePairs& pairs, const Wanted& wanted) {
   step(w, 0.1);
   Contacts contacts = reduce(w, pairs);
-  if (contacts.has_unswept_lines && wanted.turned_pairs)
-    throw NeedsAllPairs("wedges without material along a crowded line have no row");
+  if (contacts.has_unswept_lines)
+    throw NeedsAllPairs("a line along which pairs were left out has no row");
   if (is_observed(w, wanted)) report_reduction(w, contacts);
   return cut_at(w, std::move(contacts), wanted);
 }
@@ -169,15 +169,15 @@ Solid boolean(const Solid& a, const Solid& b, Operation operation, const Boolean
 namespace {
 
 // Where pairs that were left out are needed, none are left out.
-Solid cut_and_assembled(const SolidData& a, const SolidData& b, bool turned_pairs,
-                        Operation operation, const BooleanOptions& options) {
+Solid cut_and_assembled(const SolidData& a, const SolidData& b, Operation operation,
+                        const BooleanOptions& options) {
   const Operation wanted[] = {operation};
   const auto attempt = [&](bool all_pairs) {
     Workspace w(options);
     FacePairs pairs;
-    load(w, a, b, pairs, {wanted, false, turned_pairs, all_pairs});
+    load(w, a, b, pairs, {wanted, false, all_pairs});
     try {
-      return std::optional(assemble(w, cut(w, pairs, {wanted, false, turned_pairs}), operation, 0));
+      return std::optional(assemble(w, cut(w, pairs, {wanted}), operation, 0));
     } catch (const NeedsAllPairs&) {
       if (w.crowded_lines.empty() && w.common_faces.empty()) throw;
       return std::optional<Solid>();
@@ -195,7 +195,7 @@ Solid boolean_by_cutting(const Solid& a, const Solid& b, Operation operation,
     const SolidData& given = operand(b, options);
     const SolidData& of_b =
         operation == Operation::subtract ? as_observed(reversible(given), options) : given;
-    return cut_and_assembled(operand(a, options), of_b, &of_b != &given, operation, options);
+    return cut_and_assembled(operand(a, options), of_b, operation, options);
   } catch (const InternalError& error) {
     throw InternalError(std::string(error.what()) + "; " + save_operands(a, b));
   }

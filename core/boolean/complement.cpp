@@ -81,7 +81,7 @@ std::vector<std::uint32_t> slots_near_segments(const Workspace& w, const SolidDa
 std::shared_ptr<const SolidData> paired_for_complement(const SolidData& solid) {
   const BooleanOptions options;
   const Operation united[] = {Operation::unite};
-  Wanted wanted{united, true, true};
+  Wanted wanted{united, true};
   const auto first = solid.touching_slots();
   for (std::vector<std::uint32_t> slots(first.begin(), first.end());;) {
     Workspace w(options);

@@ -22,8 +22,8 @@ struct Workspace {
   Geometry geometry;
   std::unique_ptr<Kernel> kernel;
   PerOperand<Patch> patch;
-  /// Two points on each line where not all that meets was looked for
-  /// (boolean/near/crowded_lines.h).
+  /// Two points on each line where very many edges run: not all that meets there was looked for
+  /// (boolean/near/crowded_lines.h), or it is in no segments (reduction/crowded_segments.h).
   std::vector<std::array<PointId, 2>> crowded_lines;
   /// What of both boundaries is neither loaded nor tested, as it is the same.
   CommonFaces common_faces;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 
@@ -300,6 +301,64 @@ TEST(Growth, SubtractionOfABookWhoseWallsBeginInOnePlace) {
     return [=] { boolean(a, b, Operation::subtract); };
   };
   EXPECT_LT(growth(of_two, 200), n_log_n);
+}
+
+// A book of which one half is above the floor of a block, in which its line runs, and the other one
+// in the block.
+double growth_of_books_with_floor(const std::function<Solid(const Solid&, const Solid&)>& make,
+                                  Operation operation, std::size_t n) {
+  return growth(
+      [&](std::size_t m) {
+        const Solid floor = block({-2, -2, -1}, {2, 0, 3}),
+                    b = Solid::from_mesh(book(m, 1e-4, 1e-4)),
+                    other = transformed(
+                        b, Transform::rotation_degrees({0, 0, 1}, 90.0 / static_cast<double>(m)));
+        const Solid a = make(floor, other);
+        return [=] { boolean(a, b, operation); };
+      },
+      n);
+}
+
+TEST(Growth, BooleansOfABookOnAFloor) {
+  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract})
+    EXPECT_LT(growth_of_books_with_floor([](const Solid& floor, const Solid&) { return floor; },
+                                         operation, 200),
+              n_log_n);
+}
+
+TEST(Growth, BooleansOfBooksOfWhichOneStandsOnAFloor) {
+  const auto with_floor = [](const Solid& floor, const Solid& book) {
+    return boolean(floor, book, Operation::unite);
+  };
+  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract})
+    EXPECT_LT(growth_of_books_with_floor(with_floor, operation, 100), n_log_n);
+}
+
+// The floor has two edges in the line, and touches itself there.
+TEST(Growth, BooleansOfABookAndAFloorWithGrooves) {
+  const auto with_grooves = [](const Solid& floor, const Solid& book) {
+    return boolean(floor, book, Operation::subtract);
+  };
+  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract})
+    EXPECT_LT(growth_of_books_with_floor(with_grooves, operation, 100), n_log_n);
+}
+
+// The plane has the line in it, and nothing else but what crosses it there.
+TEST(Growth, SplitOfABookThroughItsLine) {
+  const auto through_line = [](std::size_t n) {
+    const Solid both = boolean(block({-2, -2, -1}, {2, 0, 3}),
+                               Solid::from_mesh(book(n, 1e-4, 1e-4)), Operation::unite);
+    return [=] { split(both, {1, 0.25, 0, 0}); };
+  };
+  EXPECT_LT(growth(through_line, 200), n_log_n);
+}
+
+TEST(Growth, ClassificationOfABookOnAFloor) {
+  const auto on_floor = [](std::size_t n) {
+    const Solid floor = block({-2, -2, -1}, {2, 0, 3}), b = Solid::from_mesh(book(n, 1e-4, 1e-4));
+    return [=] { classify(floor, b); };
+  };
+  EXPECT_LT(growth(on_floor, 200), n_log_n);
 }
 
 }  // namespace

@@ -5,14 +5,10 @@
 
 #include "boolean/collect.h"
 #include "search/face_tree.h"
-#include "search/hubs.h"
 #include "storage/geometry_loader.h"
 
 namespace sectile {
 namespace {
-
-// So many edges run beside each on the average: fewer take no longer with all pairs.
-constexpr std::size_t many_beside = 2 * Hubs::least_faces;
 
 auto coordinates(const Vec3& p) {
   return std::tie(p.x, p.y, p.z);
@@ -21,11 +17,9 @@ auto coordinates(const Vec3& p) {
 }  // namespace
 
 CrowdedLines::CrowdedLines(const SolidData& a, const SolidData& b,
-                           const PerOperand<std::span<const std::uint32_t>>& slots,
-                           bool turned_pairs_of_b)
-    : data_{&a, &b}, turned_pairs_of_b_(turned_pairs_of_b) {
+                           const PerOperand<std::span<const std::uint32_t>>& slots)
+    : data_{&a, &b} {
   for (const Operand s : both_operands) {
-    first_face_[s].assign(data_[s]->slots().size(), none);
     for (const std::uint32_t slot : slots[s]) add_faces(s, slot);
   }
   find_lines(Kernel(geometry_));
@@ -34,7 +28,6 @@ CrowdedLines::CrowdedLines(const SolidData& a, const SolidData& b,
 void CrowdedLines::add_faces(Operand s, std::uint32_t slot) {
   const Block& block = *data_[s]->slot(slot).block;
   const Brep& brep = block.brep();
-  first_face_[s][slot] = static_cast<std::uint32_t>(faces_.size());
   GeometryLoader loader(block.geometry(), geometry_, brep.vertex_count());
   for (std::size_t f = 0; f < block.face_count(); ++f) {
     const auto first = static_cast<std::uint32_t>(sides_.size());
@@ -71,10 +64,7 @@ FacePairs CrowdedLines::pairs() {
   std::vector<PerOperand<std::vector<std::uint32_t>>> at(lines_.count());
   for (std::uint32_t f = 0; f < faces_.size(); ++f)
     if (faces_[f].line != none) at[faces_[f].line][faces_[f].solid].push_back(f);
-  for (std::uint32_t line = 0; line < at.size(); ++line) {
-    add_pairs_along(line, at[line], pairs);
-    if (!turned_pairs_of_b_) add_wedge_pairs(line, at[line], pairs);
-  }
+  for (std::uint32_t line = 0; line < at.size(); ++line) add_pairs_along(line, at[line], pairs);
   return pairs;
 }
 
@@ -125,67 +115,6 @@ void CrowdedLines::add_pairs_along(std::uint32_t line,
       [&](std::uint32_t i, std::uint32_t j) {
         pairs.push_back({in_solid(faces[Operand::a][i]), in_solid(faces[Operand::b][j])});
       });
-}
-
-void CrowdedLines::add_wedge_pairs(std::uint32_t line,
-                                   const PerOperand<std::vector<std::uint32_t>>& faces,
-                                   FacePairs& pairs) const {
-  PerOperand<std::vector<Wedge>> all;
-  PerOperand<std::vector<Box>> boxes;
-  for (const Operand s : both_operands) {
-    all[s] = wedges(line, faces[s]);
-    for (const Wedge& wedge : all[s]) boxes[s].push_back(wedge.box);
-  }
-  BoxTree::overlaps(BoxTree(boxes[Operand::a]), BoxTree(boxes[Operand::b]),
-                    [&](std::uint32_t i, std::uint32_t j) {
-                      for (const std::uint32_t f : all[Operand::a][i].face)
-                        for (const std::uint32_t g : all[Operand::b][j].face)
-                          pairs.push_back({in_solid(f), in_solid(g)});
-                    });
-}
-
-// A face that is not at the line itself is in pairs with all that it meets there.
-std::vector<CrowdedLines::Wedge> CrowdedLines::wedges(
-    std::uint32_t line, const std::vector<std::uint32_t>& faces) const {
-  std::vector<Wedge> wedges;
-  for (const std::uint32_t f : faces)
-    for (const Side& side : sides(faces_[f])) {
-      if (!is_on(side.from, line) || !is_on(side.to, line)) continue;
-      const std::uint32_t beyond = face_beyond(faces_[f], side.h);
-      if (beyond == none) {
-        const Vec3 ends[] = {at(side.from), at(side.to)};
-        wedges.push_back({{f, f}, lines_[line].reach(ends)});
-      } else if (f < beyond && faces_[beyond].line == line) {
-        wedges.push_back({{f, beyond}, box_of_wedge(line, f, side, beyond)});
-      }
-    }
-  return wedges;
-}
-
-std::uint32_t CrowdedLines::face_beyond(const Face& face, HalfEdgeId h) const {
-  const SolidData::Neighbour across = data_[face.solid]->across(face.slot, h);
-  const std::uint32_t first = first_face_[face.solid][across.slot];
-  if (first == none) return none;
-  const Block& there = *data_[face.solid]->slot(across.slot).block;
-  return first + there.brep().face_of(across.local).value();
-}
-
-// Where the wedge is not certainly the part of less than half a turn: all directions.
-Box CrowdedLines::box_of_wedge(std::uint32_t line, std::uint32_t face, const Side& side,
-                               std::uint32_t beyond) const {
-  const AlongLine& along = lines_[line];
-  std::vector<Vec3> on_line, beside;
-  sort_corners(line, face, on_line, beside);
-  const std::size_t of_face = beside.size();
-  sort_corners(line, beyond, on_line, beside);
-  const Vec3 ends[] = {at(side.from), at(side.to)};
-  if (of_face == 0 || of_face == beside.size()) return along.reach(ends);
-  // Half-edges have their face on the left, seen from outside: beyond a sharp edge the other face
-  // goes down on the right.
-  const bool turned = data_[faces_[face].solid]->slot(faces_[face].slot).turned;
-  const Sign way = along.along(ends[0], ends[1]) * (turned ? Sign::negative : Sign::positive);
-  if (along.turn(beside[0], beside[of_face]) * way != Sign::negative) return along.reach(ends);
-  return along.box(on_line, beside);
 }
 
 void CrowdedLines::sort_corners(std::uint32_t line, std::uint32_t face, std::vector<Vec3>& on_line,

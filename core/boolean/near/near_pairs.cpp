@@ -233,7 +233,7 @@ class NearFinder {
   }
 
   std::optional<Near> all_but_along_crowded_lines() const {
-    CrowdedLines lines(a_, b_, slots_.slots(), wanted_.turned_pairs);
+    CrowdedLines lines(a_, b_, slots_.slots());
     if (lines.empty()) return {};
     Near near = without_pairs(slots_);
     near.pairs = lines.pairs();

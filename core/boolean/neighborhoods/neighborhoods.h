@@ -68,7 +68,6 @@ struct Neighborhoods {
 struct Wanted {
   std::span<const Operation> operations = {};
   bool of_complement = false;  ///< wedges are those of the result's complement
-  bool turned_pairs = false;   ///< the edges of B bound wedges without material (complement.h)
   bool all_pairs = false;      ///< nothing is left out along crowded lines
 };
 

@@ -11,28 +11,38 @@ namespace sectile {
 
 RowOrder::RowOrder(const Workspace& w, const Contacts& contacts, const Row& row)
     : w_(w), row_(row) {
-  const Row::Run& any = row.runs.front();
-  const auto [a, b] = line_planes(w.patch[any.operand], Brep::half_edge(any.edge));
-  const int axis = w.tests().cross_axis(a, b);
-  const Sign up = w.tests().compare(contacts.point(row.places.front()),
-                                    contacts.point(row.places.back()), axis);
-  find_faces(axis, up);
-  sort(axis, up);
+  const auto edge =
+      std::ranges::find_if(row.runs, [](const Row::Run& run) { return run.carrier.is_edge(); });
+  std::tie(line_[0], line_[1]) =
+      line_planes(w.patch[edge->operand], Brep::half_edge(edge->carrier.edge()));
+  axis_ = w.tests().cross_axis(line_[0], line_[1]);
+  up_ = w.tests().compare(contacts.point(row.places.front()), contacts.point(row.places.back()),
+                          axis_);
+  find_faces();
+  sort();
 }
 
 PlaneId RowOrder::plane(RowSide side) const {
   return w_.patch[row_.runs[side / 2].operand].plane(face_[side]);
 }
 
-void RowOrder::find_faces(int axis, Sign up) {
+Direction RowOrder::direction(PlaneId plane) const {
+  const AroundLine line(w_.tests(), axis_, up_);
+  const Sign sense = line.cross(plane, line_[0]);
+  return sense != Sign::zero ? Direction{line_[0], sense}
+                             : Direction{line_[1], line.cross(plane, line_[1])};
+}
+
+void RowOrder::find_faces() {
   for (const Row::Run& run : row_.runs) {
     const Patch& patch = w_.patch[run.operand];
-    const HalfEdgeId h = Brep::half_edge(run.edge);
-    const bool along = w_.tests().compare(patch.brep.point_of(patch.brep.from(h)),
-                                          patch.brep.point_of(patch.brep.to(h)), axis) == up;
+    const bool along = run.carrier.is_face() || runs_along(run);
     along_.push_back(along ? 1 : 0);
     for (const bool forward : {true, false}) {
-      const FaceId face = patch.brep.face_of(Brep::half_edge(run.edge, forward == along ? 0 : 1));
+      const FaceId face =
+          run.carrier.is_face()
+              ? run.carrier.face()
+              : patch.brep.face_of(Brep::half_edge(run.carrier.edge(), forward == along ? 0 : 1));
       if (!patch.is_real(face))
         throw InternalError("a face that meets the other boundary was not loaded");
       face_.push_back(face);
@@ -40,8 +50,15 @@ void RowOrder::find_faces(int axis, Sign up) {
   }
 }
 
-void RowOrder::sort(int axis, Sign up) {
-  const AroundLine line(w_.tests(), axis, up);
+// Of an edge.
+bool RowOrder::runs_along(const Row::Run& run) const {
+  const Brep& brep = w_.patch[run.operand].brep;
+  const HalfEdgeId h = Brep::half_edge(run.carrier.edge());
+  return w_.tests().compare(brep.point_of(brep.from(h)), brep.point_of(brep.to(h)), axis_) == up_;
+}
+
+void RowOrder::sort() {
+  const AroundLine line(w_.tests(), axis_, up_);
   struct Around {
     int quarter;
     LineSide half_plane;

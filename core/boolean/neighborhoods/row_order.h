@@ -1,9 +1,10 @@
-// The half-planes of a row's edges, in their order around its line.
+// The half-planes of a row's edges and faces, in their order around its line.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "boolean/direction.h"
 #include "boolean/neighborhoods/neighborhoods.h"
 
 namespace sectile {
@@ -22,8 +23,10 @@ class RowOrder {
  public:
   RowOrder(const Workspace& w, const Contacts& contacts, const Row& row);
 
-  /// Does the even half-edge of a run's edge go along the line?
+  /// Does the even half-edge of a run's edge go along the line? True for a face.
   bool is_along(std::uint32_t run) const { return along_[run] != 0; }
+  /// Of the line, in a face's plane.
+  Direction direction(PlaneId plane) const;
   FaceId face(RowSide side) const { return face_[side]; }
   PlaneId plane(RowSide side) const;
 
@@ -35,11 +38,15 @@ class RowOrder {
   std::uint32_t behind(std::uint32_t position) const { return behind_[position]; }
 
  private:
-  void find_faces(int axis, Sign up);
-  void sort(int axis, Sign up);
+  void find_faces();
+  bool runs_along(const Row::Run& run) const;
+  void sort();
 
   const Workspace& w_;
   const Row& row_;
+  PlaneId line_[2];  // two planes through it
+  int axis_;         // on which it has an extent, and its sign there
+  Sign up_;
   std::vector<std::uint8_t> along_;            // per run
   std::vector<FaceId> face_;                   // per side
   std::vector<std::uint32_t> position_;        // per side

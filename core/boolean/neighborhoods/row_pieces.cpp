@@ -22,11 +22,13 @@ void RowPieces::write_piece(const RowPiece& piece, const Row& row, const RowOrde
   const Row::Run& run = row.runs[piece.run];
   Carrier carrier;
   carrier.operand = run.operand;
-  carrier.entity = run.edge;
-  carrier.end[0] = piece.from == run.from ? Entity(run.end[0]) : carrier.entity;
-  carrier.end[1] = piece.to == run.to ? Entity(run.end[1]) : carrier.entity;
+  carrier.entity = run.carrier;
+  carrier.end[0] = piece.from == run.from ? run.end[0] : carrier.entity;
+  carrier.end[1] = piece.to == run.to ? run.end[1] : carrier.entity;
   carrier.along = order.is_along(piece.run);
   carrier.cut = piece.cut;
+  if (carrier.cut && carrier.entity.is_face())
+    carrier.direction = order.direction(order.plane(2 * piece.run));
   const CarrierId id = found.carriers.add(carrier);
   const HalfPlaneId first = found.half_planes.end_id();
   for (const RowSide side : {2 * piece.run, 2 * piece.run + 1})

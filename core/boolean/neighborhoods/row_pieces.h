@@ -1,5 +1,5 @@
-// What a sweep finds along a row: pieces of edges along which nothing changes, and from where to
-// where two half-planes bound one wedge.
+// What a sweep finds along a row: pieces of edges and faces along which nothing changes, and from
+// where to where two half-planes bound one wedge.
 #pragma once
 
 #include <array>

@@ -5,6 +5,7 @@
 #include <set>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "boolean/neighborhoods/row_order.h"
 #include "boolean/neighborhoods/row_pieces.h"
@@ -137,6 +138,7 @@ class RowSweep {
     for (std::size_t i = 0; i < of_.size(); ++i) find_partners(i, events);
     divide(place, events);
     for (std::size_t i = 0; i < of_.size(); ++i) note_pairs(i, place);
+    for (const OfOperation& of : of_) note_cuts(of);
     note_classes();
     for (const std::uint32_t run : events.begun) since_[run] = place;
   }
@@ -162,17 +164,19 @@ class RowSweep {
   }
 
   // Sides of which the class may be another one behind this place: of what begins or meets
-  // something, and what began, or met something, where nothing of the other operand was.
+  // something, and what began, or met something, where nothing of the other operand was. Where that
+  // begins, each edge bounds its own wedge again.
   void find_changed(const RowEvents& events) {
     changed_.clear();
-    const auto add = [&](std::span<const std::uint32_t> runs) {
+    const auto add = [&](const std::vector<std::uint32_t>& runs) {
       for (const std::uint32_t run : runs) changed_.insert(changed_.end(), {2 * run, 2 * run + 1});
     };
     for (const auto* runs : {&events.begun, &events.ended, &events.met}) add(*runs);
     for (const Operand s : both_operands) {
-      if (present_[other(s)].empty()) continue;
-      add(waiting_[s]);
-      waiting_[s].clear();
+      const bool is_alone = present_[other(s)].empty();
+      if (!is_alone) add(std::exchange(waiting_[s], {}));
+      if (is_alone && !was_alone_[s]) add({elsewhere_[s].begin(), elsewhere_[s].end()});
+      was_alone_[s] = is_alone;
     }
     make_unique(changed_);
   }
@@ -271,7 +275,10 @@ class RowSweep {
     since_[run] = place;
   }
 
+  // Do its sides bound wedges with others, or have they different classes, if that is what is
+  // asked?
   bool is_cut(std::uint32_t run) const {
+    if (of_.empty()) return cls_[2 * run] != cls_[2 * run + 1];
     const auto ends_elsewhere = [](const OfOperation& of, RowSide side) {
       return of.partner[side] != none && of.partner[side] != beyond_edge(side);
     };
@@ -296,6 +303,13 @@ class RowSweep {
     }
   }
 
+  void note_cuts(const OfOperation& of) {
+    for (const RowSide side : of.looked_at) {
+      std::set<std::uint32_t>& runs = elsewhere_[operand(side)];
+      is_cut(side / 2) ? void(runs.insert(side / 2)) : void(runs.erase(side / 2));
+    }
+  }
+
   void note_classes() {
     for (std::size_t k = 0; k < changed_.size(); ++k) cls_[changed_[k]] = new_cls_[k];
   }
@@ -315,6 +329,8 @@ class RowSweep {
   std::vector<OfOperation> of_;
   // Runs that are present without classes, until something of the other operand is beside them.
   PerOperand<std::vector<std::uint32_t>> waiting_;
+  PerOperand<bool> was_alone_{true, true};         // was nothing of the other operand there?
+  PerOperand<std::set<std::uint32_t>> elsewhere_;  // runs that are cut
   // At the place that is visited: sides of which the class may be another one, and their classes.
   std::vector<RowSide> changed_;
   std::vector<std::optional<Class>> new_cls_;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "boolean/entity_numbers.h"
-#include "boolean/reduction/clusters.h"
 #include "boolean/reduction/reduction.h"
 
 namespace sectile {
@@ -67,8 +66,8 @@ void find_segments(const Workspace& w, const ContactTable& table, Contacts& foun
 /// Divides the segments of very many edges on one line at each other's ends: of the records along
 /// each stretch, those are left that show an edge first.
 void divide_rows(const Workspace& w, Contacts& found);
-/// Divides the segments at all places within them; if there are clusters, at those of their own.
-void split_at_places(const Workspace& w, const Clusters& clusters, Contacts& found);
+/// Divides the segments at all places within them.
+void split_at_places(const Workspace& w, Contacts& found);
 /// Adds places where edges of one operand cross each other in a face of the other. Returns whether
 /// there are any.
 bool add_crossings(Workspace& w, Contacts& found);

@@ -1,6 +1,5 @@
 // Operands may touch themselves where their structure does not say so: an edge that lies on a face,
-// or on a part of another edge. All entities through a contact place must end their segments there,
-// but for those of other clusters (clusters.h).
+// or on a part of another edge. All entities through a contact place must end their segments there.
 #include <algorithm>
 #include <optional>
 #include <span>
@@ -20,14 +19,9 @@ class Noding {
   static constexpr std::size_t few_pairs = threshold(1024, 0);
 
  public:
-  Noding(const Workspace& w, const Contacts& found, const Clusters& clusters)
-      : w_(w), kernel_(w.tests()), found_(found) {
+  Noding(const Workspace& w, const Contacts& found) : w_(w), kernel_(w.tests()), found_(found) {
     at_.reserve(found.places.size());
     for (const PlaceId place : found.places.ids()) at_.add(w.geometry.position(found.point(place)));
-    if (clusters.any()) {
-      of_clusters_.emplace(clusters, found, at_);
-      return;
-    }
     if (found.segments.size() * at_.size() <= few_pairs) return;
     pierced_.emplace(w, found);
     if (!others().empty()) tree_.emplace(tree_of_others());
@@ -106,7 +100,6 @@ class Noding {
   // Calls visit(number of a record, place) where the place may be within the record.
   template <class Visit>
   void for_each_near(std::span<const SegmentRecord> records, const Visit& visit) const {
-    if (of_clusters_) return of_clusters_->for_each_near(records, visit);
     for (std::uint32_t i = 0; i < records.size(); ++i) for_each_near(records[i], i, visit);
     if (!tree_) return;
     std::vector<PieceTree::Edge> edges;
@@ -153,15 +146,14 @@ class Noding {
   const Kernel& kernel_;
   const Contacts& found_;
   Table<PlaceId, Vec3> at_;
-  std::optional<PiercedFaces> pierced_;          // none where looking at all places takes no longer
-  std::optional<PieceTree> tree_;                // of the others, if there are any
-  std::optional<PlacesOfClusters> of_clusters_;  // instead of both, if there are clusters
+  std::optional<PiercedFaces> pierced_;  // none where looking at all places takes no longer
+  std::optional<PieceTree> tree_;        // of the others, if there are any
 };
 
 }  // namespace
 
-void split_at_places(const Workspace& w, const Clusters& clusters, Contacts& found) {
-  const Noding noding(w, found, clusters);
+void split_at_places(const Workspace& w, Contacts& found) {
+  const Noding noding(w, found);
   const std::span<const SegmentRecord> all = found.segments;
   found.segments = joined(collect_ranges<SegmentRecords>(
       w, all.size(), 128, [&](std::size_t first, std::size_t last, SegmentRecords& out) {

@@ -46,21 +46,22 @@ struct SegmentRecord {
 
 using SegmentRecords = UnsetVector<SegmentRecord>;
 
-/// All edges of both operands along one crowded line. What they share is in no segment: a sweep
-/// along the line finds where each has to be divided.
+/// All edges of both operands along one crowded line, and the faces that lie on both sides of it.
+/// What they share is in no segment: a sweep along the line finds where each has to be divided.
 struct Row {
+  /// An edge, or a stretch in a face.
   struct Run {
     Operand operand;
-    EdgeId edge;
+    Entity carrier;
     std::uint32_t from, to;  ///< places of the row, ascending
-    VertexId end[2];
+    Entity end[2];           ///< what the operand has there: as a rule vertices
   };
-  /// A place at which something of the other operand meets the edge of a run.
+  /// A place at which something of the other operand meets a run.
   struct Meeting {
     std::uint32_t place, run;
   };
   std::vector<PlaceId> places;  ///< as they follow each other along the line
-  std::vector<Run> runs;        ///< by operand and edge
+  std::vector<Run> runs;        ///< those of A first; one is an edge
   std::vector<Meeting> meetings;
 };
 
@@ -70,7 +71,7 @@ struct Contacts {
   Table<PlaceId, PointId> places;      ///< the point of each place
   SegmentRecords segments;             ///< of what shares one, all pairs, or enough of very many
   std::vector<Row> rows;
-  bool has_unswept_lines = false;  ///< is there a crowded line that has no row?
+  bool has_unswept_lines = false;  ///< has a line, along which pairs were left out, no row?
 
   PointId point(PlaceId place) const { return places[place]; }
 };

@@ -8,6 +8,7 @@
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
 #include "boolean/reduction/crossing_faces.h"
+#include "boolean/reduction/crowded_segments.h"
 #include "boolean/reduction/rows_on_lines.h"
 #include "boolean/reduction/standing.h"
 #include "geometry/axes.h"
@@ -333,11 +334,13 @@ Contacts reduce(Workspace& w, const FacePairs& candidates) {
   const ContactTable table = find_contacts(w, candidates, found);
   find_segments(w, table, found);
   leave_out_open_edges(w, found);
-  make_rows(w, found);
+  const bool has_all_pairs = w.crowded_lines.empty();
+  if (has_all_pairs && !w.options.observer) mark_crowded_segments(w, found);
+  make_rows(w, table, found);
+  if (has_all_pairs) found.has_unswept_lines = false;
   divide_rows(w, found);
-  const Clusters clusters(w, candidates);
-  split_at_places(w, clusters, found);
-  if (add_crossings(w, found)) split_at_places(w, clusters, found);
+  split_at_places(w, found);
+  if (add_crossings(w, found)) split_at_places(w, found);
   add_touched_faces(w, table, found);
   return found;
 }

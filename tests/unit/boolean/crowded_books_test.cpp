@@ -46,6 +46,8 @@ void expect_the_same_for_an_observer(const Solid& a, const Solid& b) {
   for (const Operation op : {Operation::unite, Operation::intersect, Operation::subtract}) {
     const Solid result = boolean(a, b, op), all = boolean(a, b, op, observed);
     EXPECT_TRUE(result == all);
+    EXPECT_EQ(result.counts().faces, all.counts().faces);
+    EXPECT_EQ(result.counts().shells, all.counts().shells);
     EXPECT_TRUE(validate(result).empty());
     EXPECT_TRUE(boolean(result, b, Operation::subtract) == boolean(all, b, Operation::subtract));
   }
@@ -248,6 +250,158 @@ TEST(CrowdedBooks, OfLeavesThatOverlapAllAroundAreWhatTheyAreForAnObserver) {
       const Solid a = random_chain(random, 0, lows, seed % 2 == 1);
       expect_the_same_for_an_observer(a, random_chain(random, 2, lows, seed % 2 == 1));
     }
+}
+
+void expect_the_same_areas(const SurfacePart& p, const SurfacePart& q) {
+  EXPECT_NEAR(p.area, q.area, 1e-9 * (1 + q.area));
+}
+
+void expect_the_same_parts_for_an_observer(const Solid& a, const Solid& b) {
+  Listener listener;
+  BooleanOptions observed;
+  observed.observer = &listener;
+  const EightWay parts = classify(a, b), all = classify(a, b, observed);
+  expect_the_same_areas(parts.a_in_b, all.a_in_b);
+  expect_the_same_areas(parts.a_out_b, all.a_out_b);
+  expect_the_same_areas(parts.a_on_b_plus, all.a_on_b_plus);
+  expect_the_same_areas(parts.a_on_b_minus, all.a_on_b_minus);
+  expect_the_same_areas(parts.b_in_a, all.b_in_a);
+  expect_the_same_areas(parts.b_out_a, all.b_out_a);
+  expect_the_same_areas(parts.b_on_a_plus, all.b_on_a_plus);
+  expect_the_same_areas(parts.b_on_a_minus, all.b_on_a_minus);
+  for (const HalfSpace& half_space : {HalfSpace{1, 0, 0, 0}, HalfSpace{-1, 2, 0, 0}}) {
+    const auto [above, below] = split(b, half_space);
+    const auto [all_above, all_below] = split(b, half_space, observed);
+    EXPECT_TRUE(above == all_above);
+    EXPECT_TRUE(below == all_below);
+    EXPECT_TRUE(validate(above).empty());
+    EXPECT_TRUE(validate(below).empty());
+  }
+}
+
+// Half a turn of material, with the line in its floor.
+Solid floor_from(int first, int low, int high) {
+  Solid floor;
+  for (const int quarter : {first, first + 48}) {
+    PolygonMesh mesh;
+    test::add_leaf({quarter % 192, (quarter + 48) % 192, low, high}, false, mesh);
+    floor = boolean(floor, Solid::from_mesh(mesh), Operation::unite);
+  }
+  return Solid::from_mesh(floor.to_mesh());  // with flat faces joined
+}
+
+// Leaves side by side, from the half-plane `first` on, which all end elsewhere.
+Solid leaves_from(int first, int count, int low, int high) {
+  PolygonMesh mesh;
+  for (int i = 0; i < count; ++i)
+    test::add_leaf({(first + 2 * i) % 192, (first + 2 * i + 1) % 192, low + 7 * i % count,
+                    high + 11 * i % count},
+                   false, mesh);
+  return Solid::from_mesh(mesh);
+}
+
+// Floors and blocks with the line in their faces, from which leaves are taken, or on which they
+// stand; and farther up so many leaves of another solid that the line is crowded.
+class RandomFloors {
+ public:
+  explicit RandomFloors(unsigned seed) : random_(seed) {}
+
+  Solid solid(int first_above) {
+    Solid all = below(4) == 0 ? leaves() : floor();
+    for (int more = 1 + below(3); more > 0; --more) {
+      const Solid next = boolean(all, below(3) == 0 ? floor() : leaves(),
+                                 below(2) == 0 ? Operation::unite : Operation::subtract);
+      if (!next.is_empty()) all = next;
+    }
+    return boolean(all, leaves_from(first_above, 36, 200, 240), Operation::unite);
+  }
+
+ private:
+  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+
+  Solid floor() {
+    const int low = below(6) - 4, high = low + 2 + below(8);
+    if (below(2) == 0) return floor_from(24 * below(8), low, high);
+    const double y = below(2) == 0 ? 0 : -20;
+    return block({-20.0 - below(9), y, 16.0 * low}, {20.0 + below(9), y + 20, 16.0 * high});
+  }
+  Solid leaves() {
+    PolygonMesh mesh;
+    const int count = 3 + below(12), step = 192 / (count + below(12));
+    for (int i = 0; i < count && i * step + step < 192; ++i) {
+      const int low = below(6), width = 1 + below(std::min(step - 1, 90));
+      test::add_leaf({i * step, (i * step + width) % 192, low, low + 1 + below(6)}, false, mesh);
+    }
+    return Solid::from_mesh(mesh);
+  }
+
+  std::mt19937 random_;
+};
+
+TEST(CrowdedBooks, WithFloorsAreWhatTheyAreForAnObserver) {
+  for (unsigned seed = 0; seed < cases(12u); ++seed) {
+    SCOPED_TRACE(seed);
+    RandomFloors floors(seed);
+    const Solid a = floors.solid(0), b = floors.solid(1);
+    expect_the_same_for_an_observer(a, b);
+    expect_the_same_for_an_observer(b, a);
+    expect_the_same_parts_for_an_observer(a, b);
+  }
+}
+
+Solid leaves(std::initializer_list<test::Leaf> all) {
+  PolygonMesh mesh;
+  for (const test::Leaf& leaf : all) test::add_leaf(leaf, false, mesh);
+  return Solid::from_mesh(mesh);
+}
+
+// So that the line is crowded.
+Solid with_leaves_above(const Solid& solid, int first) {
+  return boolean(solid, leaves_from(first, 60, 200, 280), Operation::unite);
+}
+
+// A prism touches a floor in the line; the plane cuts both, and an edge crosses the line where no
+// leaf ends.
+TEST(CrowdedBooks, OfWhichAnEdgeCrossesTheLineInAFloorAreSplitThere) {
+  const Solid grooved = boolean(floor_from(72, -3, 10),
+                                leaves({{124, 127, 0, 1}, {134, 137, 0, 4}}), Operation::subtract);
+  const Solid standing = boolean(block({0, -8, -32}, {1, 17, 16}),
+                                 leaves({{26, 27, 4, 5},
+                                         {31, 32, 2, 5},
+                                         {41, 42, 2, 5},
+                                         {46, 47, 3, 4},
+                                         {56, 57, 4, 9},
+                                         {61, 62, 1, 5},
+                                         {66, 67, 3, 8},
+                                         {71, 72, 4, 5}}),
+                                 Operation::unite);
+  const Solid both = with_leaves_above(boolean(grooved, standing, Operation::unite), 30);
+  Listener listener;
+  BooleanOptions observed;
+  observed.observer = &listener;
+  const auto [above, below] = split(both, {1, 0, 0, 0});
+  const auto [all_above, all_below] = split(both, {1, 0, 0, 0}, observed);
+  EXPECT_TRUE(above == all_above);
+  EXPECT_TRUE(below == all_below);
+  EXPECT_TRUE(validate(above).empty());
+  EXPECT_TRUE(validate(below).empty());
+}
+
+// Where nothing of the other solid is beside the line, each edge bounds the wedge that it has in
+// its own solid, whatever it bounded before.
+TEST(CrowdedBooks, HaveTheirOwnWedgesWhereTheyAreAlone) {
+  Solid a = block({0, -17, 144}, {19, 7, 720});
+  a = boolean(a, block({-21, -4, 352}, {0, 30, 672}), Operation::unite);
+  a = boolean(a, block({-30, 0, -16}, {9, 12, 464}), Operation::unite);
+  PolygonMesh prism;
+  prism.positions = {{0, 0, -80},  {0, -47, 336},  {0, 54, 336},
+                     {30, 0, -80}, {30, -47, 336}, {30, 54, 336}};
+  prism.face_sizes = {3, 3, 4, 4, 4};
+  prism.indices = {0, 1, 2, 3, 5, 4, 0, 3, 4, 1, 1, 4, 5, 2, 2, 5, 3, 0};
+  Solid b = boolean(block({-6, -30, 304}, {0, 13, 368}), Solid::from_mesh(prism), Operation::unite);
+  b = boolean(b, leaves({{37, 39, 13, 49}, {63, 65, 7, 47}, {1, 3, 38, 43}}), Operation::unite);
+  b = Solid::from_mesh(b.to_mesh());  // with flat faces joined
+  expect_the_same_for_an_observer(with_leaves_above(a, 0), with_leaves_above(b, 1));
 }
 
 // Nothing but the sets' own laws, and volumes: no other way of the Boolean is asked.

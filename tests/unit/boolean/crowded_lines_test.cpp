@@ -3,13 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
-#include <set>
+#include <vector>
 
 #include "boolean/boolean.h"
 #include "boolean/loading/load.h"
-#include "boolean/reduction/clusters.h"
 #include "sectile/boolean.h"
 #include "sectile/primitives.h"
 #include "sectile/trace.h"
@@ -44,42 +45,35 @@ struct Reduced {
   Reduced(const Solid& a, const Solid& b, const Wanted& wanted, BooleanOptions o = {})
       : options(std::move(o)), w(options) {
     load(w, *a.data(), *b.data(), pairs, wanted);
-    const Clusters all(w, pairs);
+    leaves_out_pairs = !w.crowded_lines.empty();
     contacts = reduce(w, pairs);
-    if (leaves_out())
-      for (const Contact& c : contacts.contacts) clusters.insert(all.of(c));
   }
-  bool leaves_out() const { return !w.patch[Operand::a].on_crowded_line.empty(); }
+  double height(std::uint32_t place) const {
+    return w.geometry.position(contacts.point(contacts.rows[0].places[place])).z;
+  }
+
+  bool is_on_line(PlaceId place) const {
+    const Vec3& p = w.geometry.position(contacts.point(place));
+    return p.x == 0 && p.y == 0;
+  }
 
   BooleanOptions options;
   Workspace w;
   FacePairs pairs;
-  std::set<std::uint32_t> clusters;  // in which anything meets
+  bool leaves_out_pairs;
   Contacts contacts;
 };
 
 const Operation unite[] = {Operation::unite};
 
-TEST(CrowdedLines, PagesThatOverlapAreAClusterEach) {
-  const Reduced found(book(0, 0.5, 0), book(0.25, 0.5, 0.5), {unite});
-  EXPECT_TRUE(found.leaves_out());
-  EXPECT_EQ(found.clusters.size(), unsigned(pages));
-  // Walls, ends of them, and each page's own edge along the line.
-  EXPECT_LT(found.pairs.size(), 30u * pages);
-  EXPECT_LT(found.contacts.segments.size(), 30u * pages);
-}
-
-TEST(CrowdedLines, PagesBesideEachOtherMeetInNothing) {
-  const Reduced found(book(0, 0.3, 0), book(0.5, 0.3, 0.5), {unite});
-  EXPECT_TRUE(found.leaves_out());
-  EXPECT_EQ(found.contacts.segments.size(), 0u);
-}
-
-// What is beside the line in one direction only says nothing of the others.
-TEST(CrowdedLines, PagesAllAroundAreOneCluster) {
-  const Reduced found(book(0, 0.7, 0), book(0.5, 0.7, 0.5), {unite});
-  EXPECT_TRUE(found.leaves_out());
-  EXPECT_EQ(found.clusters.size(), 1u);
+TEST(CrowdedLines, PagesThatLeaveThemInDifferentDirectionsAreInNoPair) {
+  const Reduced apart(book(0, 0.3, 0), book(0.5, 0.3, 0.5), {unite});
+  EXPECT_TRUE(apart.leaves_out_pairs);
+  EXPECT_EQ(apart.contacts.segments.size(), 0u);
+  // Walls, and ends of them.
+  const Reduced overlap(book(0, 0.5, 0), book(0.25, 0.5, 0.5), {unite});
+  EXPECT_TRUE(overlap.leaves_out_pairs);
+  EXPECT_LT(overlap.pairs.size(), 20u * pages);
 }
 
 // No end of a page divides them yet.
@@ -95,20 +89,35 @@ TEST(CrowdedLines, EdgesOfBothAlongTheLineAreARow) {
     EXPECT_FALSE(r.on[Operand::a].is_edge() && r.on[Operand::b].is_edge());
 }
 
-// A page that goes on beyond the line: pages of the other book have edges in its face.
-TEST(CrowdedLines, HaveNoRowWhereEdgesAreInAFace) {
-  const Solid across = transformed(block({-1, -1e-3, 0.5}, {1, 0, 1.25}),
+// Runs of a row that are stretches in faces.
+std::vector<Row::Run> faces_of(const Row& row) {
+  std::vector<Row::Run> faces;
+  std::ranges::copy_if(row.runs, std::back_inserter(faces),
+                       [](const Row::Run& run) { return run.carrier.is_face(); });
+  return faces;
+}
+
+// A floor that the line runs in, from edge to edge: pages of the other book have edges in it.
+TEST(CrowdedLines, AFaceOnBothSidesIsInTheRow) {
+  const Solid across = transformed(block({-1, -1e-3, 0.25}, {1, 0, 1.75}),
                                    Transform::rotation_degrees({0, 0, 1}, 1.2 * 360 / pages));
   const Solid b = boolean(book(0.5, 0.3, 0.5), across, Operation::unite);
   const Reduced found(book(0, 0.3, 0), b, {unite});
-  ASSERT_TRUE(found.leaves_out());
-  EXPECT_TRUE(found.contacts.has_unswept_lines);
-  EXPECT_TRUE(found.contacts.rows.empty());
+  ASSERT_TRUE(found.leaves_out_pairs);
+  EXPECT_FALSE(found.contacts.has_unswept_lines);
+  ASSERT_EQ(found.contacts.rows.size(), 1u);
+  const std::vector<Row::Run> faces = faces_of(found.contacts.rows[0]);
+  ASSERT_EQ(faces.size(), 1u);
+  EXPECT_EQ(faces[0].operand, Operand::b);
+  EXPECT_TRUE(faces[0].end[0].is_edge());
+  EXPECT_TRUE(faces[0].end[1].is_edge());
+  EXPECT_EQ(found.height(faces[0].from), 0.25);
+  EXPECT_EQ(found.height(faces[0].to), 1.75);
 }
 
 // Two quarters, one above the other in part, have a common face, in which the line runs as far as
 // both reach, and corners on the line. The other solid meets it, but not there.
-TEST(CrowdedLines, HaveNoRowWhereAFaceLiesOnBothSides) {
+TEST(CrowdedLines, AFaceWithCornersOnTheLineIsInTheRow) {
   const Solid quarters =
       boolean(block({0, 0, 5}, {1, 1, 10}), block({-1, 0, 7}, {0, 1, 15}), Operation::unite);
   const Solid joined = Solid::from_mesh(quarters.to_mesh());  // with flat faces joined
@@ -116,9 +125,60 @@ TEST(CrowdedLines, HaveNoRowWhereAFaceLiesOnBothSides) {
   const Solid stick =
       boolean(book(0, 0.3, 0), block({0.5, -0.5, 8}, {0.6, 0.5, 9}), Operation::unite);
   const Reduced found(stick, b, {unite});
-  ASSERT_TRUE(found.leaves_out());
-  EXPECT_TRUE(found.contacts.has_unswept_lines);
-  EXPECT_TRUE(found.contacts.rows.empty());
+  ASSERT_TRUE(found.leaves_out_pairs);
+  EXPECT_FALSE(found.contacts.has_unswept_lines);
+  ASSERT_EQ(found.contacts.rows.size(), 1u);
+  const std::vector<Row::Run> faces = faces_of(found.contacts.rows[0]);
+  ASSERT_EQ(faces.size(), 1u);
+  EXPECT_TRUE(faces[0].end[0].is_vertex());
+  EXPECT_TRUE(faces[0].end[1].is_vertex());
+  EXPECT_EQ(found.height(faces[0].from), 7);
+  EXPECT_EQ(found.height(faces[0].to), 10);
+}
+
+// Of a book that stands on a floor all pairs with it are few, but the ends of the pages would
+// divide the edges of all others.
+TEST(CrowdedLines, PagesOnAFloorAreARowWithoutPairsLeftOut) {
+  const Solid floor = block({-2, -2, -1}, {2, 0, 3});
+  const Reduced found(floor, book(0, 0.3, 0), {unite});
+  EXPECT_FALSE(found.leaves_out_pairs);
+  ASSERT_EQ(found.contacts.rows.size(), 1u);
+  EXPECT_EQ(faces_of(found.contacts.rows[0]).size(), 1u);
+  EXPECT_EQ(found.contacts.rows[0].runs.size(), 1u + pages);
+  for (const SegmentRecord& r : found.contacts.segments)
+    EXPECT_FALSE(found.is_on_line(r.place[0]) && found.is_on_line(r.place[1]));
+}
+
+// One has no edges of the other solid in it.
+TEST(CrowdedLines, FloorsThatCrossInThemAreBothInTheRow) {
+  const Solid floor = block({-2, -2, -1}, {2, 0, 3}),
+              turned = transformed(floor, Transform::rotation_degrees({0, 0, 1}, 35.4)),
+              all = boolean(book(0, 0.3, 0), book(0.5, 0.3, 0), Operation::unite);
+  const Reduced found(floor, boolean(turned, all, Operation::unite), {unite});
+  ASSERT_EQ(found.contacts.rows.size(), 1u);
+  const std::vector<Row::Run> faces = faces_of(found.contacts.rows[0]);
+  ASSERT_EQ(faces.size(), 2u);
+  EXPECT_NE(faces[0].operand, faces[1].operand);
+}
+
+// Pages along two lines in a floor, above it and below it.
+Solid pages_on_both_sides(double from_of_second) {
+  const auto half = [](double low, double from_y) {
+    const Solid all = boolean(book(0, 0.3, low), book(0.5, 0.3, low), Operation::unite);
+    return boolean(all, block({-3, from_y, -3}, {3, from_y + 3, 3}), Operation::intersect);
+  };
+  const Transform turn = Transform::rotation_degrees({0, 1, 0}, 90);
+  return boolean(half(-0.5, 0), transformed(half(from_of_second, -3), turn), Operation::unite);
+}
+
+TEST(CrowdedLines, HaveNoRowsWhereTheyCrossInAFace) {
+  const Solid floor = block({-3, -3, -3}, {3, 0, 3});
+  const Reduced crossing(floor, pages_on_both_sides(-0.5), {unite});
+  EXPECT_EQ(crossing.w.crowded_lines.size(), 2u);
+  EXPECT_EQ(crossing.contacts.rows.size(), 0u);
+  const Reduced beside(floor, pages_on_both_sides(0.5), {unite});
+  EXPECT_EQ(beside.w.crowded_lines.size(), 2u);
+  EXPECT_EQ(beside.contacts.rows.size(), 2u);
 }
 
 // Each end of a page is one of a piece of itself, of two neighbours, and of what they are paired
@@ -141,8 +201,10 @@ TEST(CrowdedLines, NothingIsLeftOutWhereAllIsAskedFor) {
   BooleanOptions observed;
   observed.observer = &listener;
   const Solid a = book(0, 0.5, 0), b = book(0.25, 0.5, 0.5);
-  EXPECT_FALSE(Reduced(a, b, {}).leaves_out());
-  EXPECT_FALSE(Reduced(a, b, {unite}, observed).leaves_out());
+  EXPECT_FALSE(Reduced(a, b, {}).leaves_out_pairs);
+  const Reduced shown(a, b, {unite}, observed);
+  EXPECT_FALSE(shown.leaves_out_pairs);
+  EXPECT_TRUE(shown.contacts.rows.empty());
 }
 
 TEST(CrowdedLines, RaysBeginBesideTheLine) {
