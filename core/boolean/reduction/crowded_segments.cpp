@@ -53,29 +53,45 @@ class EdgesOfBoth {
   std::vector<PointPair> edges_;
 };
 
-// Of each entity, the segments that are along an edge.
-using Counts = PerOperand<std::vector<std::uint32_t>>;
-
 bool is_along_edge(const SegmentRecord& r) {
   return r.on[Operand::a].is_edge() || r.on[Operand::b].is_edge();
 }
 
+// So many segments of one edge or face, which all are along edges, may be a crowd.
+constexpr std::uint32_t many = CrowdedLines::many_beside / 2;
+
+// How many segments along edges each entity has.
+class SegmentCounts {
+ public:
+  SegmentCounts(const Workspace& w, const Contacts& found)
+      : number_{EntityNumbers(w.patch[Operand::a].brep), EntityNumbers(w.patch[Operand::b].brep)} {
+    for (const Operand s : both_operands) counts_[s].resize(number_[s].size());
+    for (const SegmentRecord& r : found.segments)
+      if (is_along_edge(r))
+        for (const Operand s : both_operands) most_ = std::max(most_, ++count(s, r.on[s]));
+  }
+
+  std::uint32_t most() const { return most_; }
+  bool has_many(const SegmentRecord& r) {
+    return count(Operand::a, r.on[Operand::a]) >= many ||
+           count(Operand::b, r.on[Operand::b]) >= many;
+  }
+
+ private:
+  std::uint32_t& count(Operand s, Entity e) { return counts_[s][number_[s][e]]; }
+
+  PerOperand<EntityNumbers> number_;
+  PerOperand<std::vector<std::uint32_t>> counts_;
+  std::uint32_t most_ = 0;
+};
+
 // Those that share segments with something that shares some with very many.
-void add_edges_beside_many(const Workspace& w, const Contacts& found, EdgesOfBoth& edges) {
-  const PerOperand<EntityNumbers> number{EntityNumbers(w.patch[Operand::a].brep),
-                                         EntityNumbers(w.patch[Operand::b].brep)};
-  Counts counts;
-  for (const Operand s : both_operands) counts[s].resize(number[s].size());
-  for (const SegmentRecord& r : found.segments)
-    if (is_along_edge(r))
-      for (const Operand s : both_operands) ++counts[s][number[s][r.on[s]]];
+void add_edges_beside_many(const Workspace& w, const Contacts& found, SegmentCounts& counts,
+                           EdgesOfBoth& edges) {
   PerOperand<std::vector<std::uint8_t>> is_added;
   for (const Operand s : both_operands) is_added[s].resize(w.patch[s].brep.edge_count());
   for (const SegmentRecord& r : found.segments) {
-    if (std::ranges::none_of(both_operands, [&](Operand s) {
-          return counts[s][number[s][r.on[s]]] >= CrowdedLines::many_beside / 2;
-        }))
-      continue;
+    if (!counts.has_many(r)) continue;
     for (const Operand s : both_operands) {
       if (!r.on[s].is_edge() || is_added[s][r.on[s].index()] != 0) continue;
       is_added[s][r.on[s].index()] = 1;
@@ -87,11 +103,11 @@ void add_edges_beside_many(const Workspace& w, const Contacts& found, EdgesOfBot
 }  // namespace
 
 void mark_crowded_segments(Workspace& w, const Contacts& found) {
-  if (static_cast<std::size_t>(std::ranges::count_if(found.segments, is_along_edge)) <
-      CrowdedLines::many_beside / 2)
-    return;
+  if (std::ranges::count_if(found.segments, is_along_edge) < std::ptrdiff_t(many)) return;
+  SegmentCounts counts(w, found);
+  if (counts.most() < many) return;
   EdgesOfBoth edges(w);
-  add_edges_beside_many(w, found, edges);
+  add_edges_beside_many(w, found, counts, edges);
   const SpineLines lines = edges.crowded();
   if (lines.count() == 0) return;
   for (std::uint32_t line = 0; line < lines.count(); ++line) {
