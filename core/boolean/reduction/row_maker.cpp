@@ -9,7 +9,7 @@ Row RowMaker::run(std::span<const OnLine> all, std::span<const CrossedFace> cros
   for (const CrossedFace& c : crossed) nodes_.push_back({c.point, c.operand, {}});
   add_places();
   for (const OnLine& piece : all) add_run(piece);
-  for (const CrossedFace& c : crossed) add_crossing(c);
+  if (!crossed.empty()) add_crossings(crossed);
   return std::move(row_);
 }
 
@@ -67,14 +67,34 @@ void RowMaker::add_run(const OnLine& piece) {
   row_.runs.push_back(run);
 }
 
-// The face is divided, and what of the segment's operand runs through the point. So is the
-// segment, as the point is a place now.
-void RowMaker::add_crossing(const CrossedFace& crossed) {
-  const std::uint32_t at = number(crossed.point);
+// A face is divided, and what of the segment's operand runs through the point. So is the segment,
+// as the point is a place now.
+void RowMaker::add_crossings(std::span<const CrossedFace> crossed) {
+  struct Crossing {
+    Operand operand;
+    FaceId face;
+    std::uint32_t place;
+    auto operator<=>(const Crossing&) const = default;
+  };
+  std::vector<Crossing> in_faces;
+  PerOperand<std::vector<std::uint32_t>> places;  // where one operand's faces are crossed
+  for (const CrossedFace& c : crossed) {
+    in_faces.push_back({c.operand, c.face, number(c.point)});
+    places[c.operand].push_back(in_faces.back().place);
+  }
+  std::ranges::sort(in_faces);
+  for (auto& of_operand : places) std::ranges::sort(of_operand);
   for (std::uint32_t i = 0; i < row_.runs.size(); ++i) {
     const Row::Run& run = row_.runs[i];
-    const bool is_crossed = run.operand != crossed.operand || run.carrier == crossed.face;
-    if (is_crossed && run.from < at && at < run.to) row_.meetings.push_back({at, i});
+    const auto& by_it = places[other(run.operand)];
+    for (auto at = std::ranges::upper_bound(by_it, run.from); at != by_it.end() && *at < run.to;)
+      row_.meetings.push_back({*at++, i});
+    if (!run.carrier.is_face()) continue;
+    const FaceId face = run.carrier.face();
+    const auto last = std::ranges::lower_bound(in_faces, Crossing{run.operand, face, run.to});
+    for (auto at = std::ranges::upper_bound(in_faces, Crossing{run.operand, face, run.from});
+         at < last;)
+      row_.meetings.push_back({at++->place, i});
   }
 }
 

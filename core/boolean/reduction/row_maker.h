@@ -29,7 +29,7 @@ class RowMaker {
   void add_places();
   void add_place(std::span<const Node> nodes);
   void add_run(const OnLine& piece);
-  void add_crossing(const CrossedFace& crossed);
+  void add_crossings(std::span<const CrossedFace> crossed);
   std::uint32_t number(PointId point) const;
 
   Workspace& w_;

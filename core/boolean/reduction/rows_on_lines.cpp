@@ -7,6 +7,7 @@
 #include "boolean/reduction/met_on_lines.h"
 #include "boolean/reduction/row_maker.h"
 #include "search/edges_by_line.h"
+#include "search/piece_tree.h"
 
 namespace sectile {
 namespace {
@@ -65,20 +66,31 @@ class RowsMaker {
   void choose_lines() {
     for (LineOfBoth& line : lines_)
       line.is_swept = line.has_edges() && has(line, Operand::a) && has(line, Operand::b);
-    for (std::size_t i = 0; i < faces_.size(); ++i)
-      for (std::size_t j = i + 1; j < faces_.size() && are_of_one_face(faces_[i], faces_[j]); ++j) {
-        const std::uint32_t l = faces_[i].line, m = faces_[j].line;
-        if (!reaches_across(l, m, faces_[i]) || !reaches_across(m, l, faces_[i])) continue;
-        found_.has_unswept_lines |= lines_[l].is_swept || lines_[m].is_swept;
-        lines_[l].is_swept = lines_[m].is_swept = false;
-      }
+    for (auto from = faces_.begin(), to = from; from != faces_.end(); from = to) {
+      to = std::find_if(from, faces_.end(), [&](const FaceOnLine& f) {
+        return f.operand != from->operand || f.face != from->face;
+      });
+      if (to - from > 1) leave_out_lines_that_cross({from, to});
+    }
+  }
+
+  // Of lines in one face.
+  void leave_out_lines_that_cross(std::span<const FaceOnLine> in_face) {
+    std::vector<PieceTree::Edge> edges;
+    for (const FaceOnLine& f : in_face) {
+      const auto& [p, q] = w_.crowded_lines[f.line];
+      edges.push_back({w_.geometry.position(p), w_.geometry.position(q)});
+    }
+    PieceTree(edges).self_overlaps([&](std::uint32_t i, std::uint32_t j) {
+      const std::uint32_t l = in_face[i].line, m = in_face[j].line;
+      if (!reaches_across(l, m, in_face[i]) || !reaches_across(m, l, in_face[i])) return;
+      found_.has_unswept_lines |= lines_[l].is_swept || lines_[m].is_swept;
+      lines_[l].is_swept = lines_[m].is_swept = false;
+    });
   }
 
   static bool has(const LineOfBoth& line, Operand s) {
     return std::ranges::any_of(line.all, [&](const OnLine& piece) { return piece.operand == s; });
-  }
-  static bool are_of_one_face(const FaceOnLine& f, const FaceOnLine& g) {
-    return f.operand == g.operand && f.face == g.face;
   }
   // Do a line's edges reach from one side of another line in the plane of a face to its other side,
   // or up to it?
@@ -110,10 +122,12 @@ class RowsMaker {
                return are_on_one_line(w_.tests(), line[0], line[1], found_.point(place));
              });
     };
-    for (const FaceOnLine& f : lines_of(Operand::a, r.on[Operand::a].face()))
-      for (const FaceOnLine& g : lines_of(Operand::b, r.on[Operand::b].face()))
-        if (f.line == g.line && lies_on(f)) return true;
-    return false;
+    const std::span<const FaceOnLine> of_b = lines_of(Operand::b, r.on[Operand::b].face());
+    if (of_b.empty()) return false;
+    return std::ranges::any_of(
+        lines_of(Operand::a, r.on[Operand::a].face()), [&](const FaceOnLine& f) {
+          return std::ranges::binary_search(of_b, f.line, {}, &FaceOnLine::line) && lies_on(f);
+        });
   }
 
   std::span<const FaceOnLine> lines_of(Operand s, FaceId face) const {
