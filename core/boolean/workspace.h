@@ -4,12 +4,15 @@
 #include <array>
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "boolean/near/common_faces.h"
 #include "boolean/operand.h"
 #include "boolean/patch.h"
 #include "geometry/kernel.h"
+#include "numbers/threshold.h"
+#include "parallel/alone.h"
 #include "sectile/boolean.h"
 #include "sectile/errors.h"
 
@@ -27,8 +30,16 @@ struct Workspace {
   std::vector<std::array<PointId, 2>> crowded_lines;
   /// What of both boundaries is neither loaded nor tested, as it is the same.
   CommonFaces common_faces;
+  /// Where little is near, other threads are not woken.
+  std::optional<parallel::Alone> alone;
 
   const Kernel& tests() const { return *kernel; }
+
+  /// `faces` are near, or more: for the phases that follow.
+  void stay_alone_with_few(std::size_t faces) {
+    constexpr std::size_t few = threshold(2000, 1);
+    if (faces <= few) alone.emplace(true);
+  }
 
   /// Throws Cancelled if that was asked for. Loops that take long call it now and then.
   void check_cancelled() const {

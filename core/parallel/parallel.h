@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 
+#include "parallel/alone.h"
 #include "parallel/range.h"
 
 namespace sectile::parallel {
@@ -42,6 +43,7 @@ void run_isolated(Work<> work);
 template <class Number, class Body>
 void loop(const Range<Number>& range, const Body& body) {
   if (range.empty()) return;
+  if (Alone::now()) return body(range);
   run_parts(range.begin(), range.end(), range.grain(),
             Work<std::size_t, std::size_t>([&](std::size_t begin, std::size_t end) {
               body(Range<Number>(static_cast<Number>(begin), static_cast<Number>(end)));
@@ -76,8 +78,10 @@ void invoke(const First& first, const Second& second) {
 }
 
 /// Runs body(); who waits in it for parts of a loop takes no tasks of loops around it meanwhile.
+/// What is found out once in this way may be large, however small the work is that asks for it.
 template <class Body>
 void isolate(const Body& body) {
+  const Alone with_others(false);
   run_isolated(Work<>(body));
 }
 

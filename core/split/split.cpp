@@ -52,6 +52,7 @@ void load(Workspace& w, const SolidData& solid, const HalfSpace& h, std::uint32_
           FacePairs& pairs) {
   const MeetsPlane meets(h);
   const std::vector<FaceId> faces = faces_where(solid, meets);
+  w.stay_alone_with_few(faces.size());
   std::vector<FarLoops> far_loops;
   if (!w.options.observer) far_loops = find_far_loops(solid, faces, meets);
   w.patch[Operand::a] = load_patch(solid, faces, w.geometry, 0, std::move(far_loops));

@@ -122,6 +122,7 @@ void load_patches(Workspace& w, const SolidData& a, ToLoad of_a, const SolidData
 
 void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs& all_slots,
           FacePairs& pairs, const Wanted& wanted) {
+  w.stay_alone_with_few(all_slots.count_faces(a, b));
   auto [slots, hubs, found, lines] = find_near(w, a, b, all_slots, wanted);
   pairs = std::move(found);
   NearFaceMarks of_a(a, slots.slots(Operand::a)), of_b(b, slots.slots(Operand::b));

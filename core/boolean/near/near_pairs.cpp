@@ -110,18 +110,11 @@ class NearPairs {
 
   bool is_crowded() const { return looks_.load(std::memory_order_relaxed) > very_many * faces_; }
 
-  std::size_t count_faces() const {
-    std::size_t count = 0;
-    for (const std::uint32_t s : slots_.slots(Operand::a)) count += a_.slot(s).faces;
-    for (const std::uint32_t t : slots_.slots(Operand::b)) count += b_.slot(t).faces;
-    return count;
-  }
-
   const Workspace& w_;
   const SolidData &a_, &b_;
   const SlotPairs& slots_;
   const CommonHubs& hubs_;
-  const std::size_t faces_ = count_faces();
+  const std::size_t faces_ = slots_.count_faces(a_, b_);
   std::atomic<std::size_t> looks_ = 0, count_ = 0;
 };
 

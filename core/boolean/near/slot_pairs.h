@@ -36,6 +36,13 @@ class SlotPairs {
   std::span<const std::uint32_t> slots(Operand s) const { return slots_[s]; }
   SlotsOfBoth slots() const { return {{slots(Operand::a), slots(Operand::b)}}; }
 
+  std::size_t count_faces(const SolidData& a, const SolidData& b) const {
+    std::size_t count = 0;
+    for (const std::uint32_t s : slots(Operand::a)) count += a.slot(s).faces;
+    for (const std::uint32_t t : slots(Operand::b)) count += b.slot(t).faces;
+    return count;
+  }
+
   /// Those of two slots with the same block.
   bool have_common_blocks(const SolidData& a, const SolidData& b) const {
     return std::ranges::any_of(pairs_, [&](const auto& pair) {

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <random>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "parallel/scratch.h"
@@ -95,6 +96,45 @@ TEST(Parallel, NobodyElseHasWhatIsLent) {
   std::sort(all.begin(), all.end());
   ASSERT_EQ(all.size(), 5000u);
   for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i], i);
+}
+
+TEST(Alone, AThreadRunsItsLoopsByItself) {
+  const auto self = std::this_thread::get_id();
+  const parallel::Alone alone(true);
+  int parts = 0;
+  parallel::loop(parallel::Range<std::size_t>(0, 100000), [&](const auto& part) {
+    EXPECT_EQ(std::this_thread::get_id(), self);
+    EXPECT_EQ(part.begin(), 0u);
+    EXPECT_EQ(part.end(), 100000u);
+    ++parts;
+  });
+  EXPECT_EQ(parts, 1);
+  std::vector<int> numbers(10000);
+  std::iota(numbers.rbegin(), numbers.rend(), 0);
+  parallel::sort(numbers.begin(), numbers.end());
+  EXPECT_TRUE(std::is_sorted(numbers.begin(), numbers.end()));
+}
+
+TEST(Alone, EndsWithItsScopeAlsoWhereSomethingIsThrown) {
+  EXPECT_FALSE(parallel::Alone::now());
+  try {
+    const parallel::Alone alone(true);
+    EXPECT_TRUE(parallel::Alone::now());
+    parallel::loop(0, 10, [](std::size_t) { throw std::runtime_error("of a loop"); });
+  } catch (const std::runtime_error&) {
+  }
+  EXPECT_FALSE(parallel::Alone::now());
+}
+
+TEST(Alone, WhatIsFoundOutOnceHasAllThreads) {
+  const parallel::Alone alone(true);
+  parallel::isolate([] { EXPECT_FALSE(parallel::Alone::now()); });
+  EXPECT_TRUE(parallel::Alone::now());
+}
+
+TEST(Alone, IsOneThreadOnly) {
+  const parallel::Alone alone(true);
+  std::thread([] { EXPECT_FALSE(parallel::Alone::now()); }).join();
 }
 
 }  // namespace
