@@ -75,6 +75,15 @@ inline bool Hull::separated_along(const Vec3& direction, const Range& mine,
   return mine.high + error < theirs.low || theirs.high + error < mine.low;
 }
 
+// Nothing separates them then: the tests that follow would all fail.
+bool Hull::has_corner_of(const Hull& other) const {
+  if (count_ > few || other.count_ > few) return false;
+  for (std::uint32_t i = 0; i < count_; ++i)
+    for (std::uint32_t j = 0; j < other.count_; ++j)
+      if (points_[i] == other.points_[j]) return true;
+  return false;
+}
+
 // In one plane, lines separate.
 bool Hull::separated_by_side(const Hull& other) const {
   for (std::uint32_t i = 0; i < edge_count(); ++i)
@@ -87,6 +96,7 @@ bool apart(const Hull& a, const Hull& b) {
   if (a.separated_along(a.normal_, a.along_normal_, b) ||
       b.separated_along(b.normal_, b.along_normal_, a))
     return true;
+  if (a.has_corner_of(b)) return false;
   for (std::uint32_t i = 0; i < a.edge_count(); ++i)
     for (std::uint32_t j = 0; j < b.edge_count(); ++j)
       if (a.separated_along(cross(a.edge(i), b.edge(j)), b)) return true;

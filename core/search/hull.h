@@ -29,6 +29,7 @@ class Hull {
     return separated_along(direction, along(direction), other);
   }
   bool separated_by_side(const Hull& other) const;
+  bool has_corner_of(const Hull& other) const;
 
   static constexpr std::uint32_t few = 4;
   std::uint32_t edge_count() const { return count_ > few ? 3 : count_; }

@@ -8,6 +8,7 @@
 #include "boolean/collect.h"
 #include "boolean/face_location.h"
 #include "boolean/line.h"
+#include "boolean/reduction/common_border.h"
 #include "boolean/reduction/contact_table.h"
 #include "boolean/reduction/tests_on_lines.h"
 #include "geometry/constructed_points.h"
@@ -108,6 +109,7 @@ class PairTest {
     if (!sided_half_edges(w_, Operand::a, a, b, sided[Operand::a]) ||
         !sided_half_edges(w_, Operand::b, b, a, sided[Operand::b]))
       return;
+    if (const auto border = only_common_border(w_, sided)) return record(*border);
     const bool coplanar =
         kernel_.coplanar(w_.patch[Operand::a].plane(a), w_.patch[Operand::b].plane(b));
     add_pair(a, b, coplanar);
@@ -117,6 +119,22 @@ class PairTest {
   }
 
  private:
+  // The segment in a common edge is found as that of edges.
+  void record(const CommonBorder& border) {
+    for (const Operand s : both_operands) {
+      const Brep &brep = w_.patch[s].brep, &across = w_.patch[other(s)].brep;
+      const FaceId beyond = across.face_of(border.corner[0][other(s)]);
+      for (std::size_t i = 0; i < border.corners; ++i) {
+        const HalfEdgeId h = border.corner[i][s];
+        if (speaks_for_vertex(s, brep.face_of(h), h))
+          out_.hits[s].push_back(
+              {brep.from(h), beyond, across.from(border.corner[i][other(s)]), {}});
+      }
+      if (const HalfEdgeId h = border.edge[s]; h.valid() && speaks_for_edge(s, brep.face_of(h), h))
+        out_.in_plane[s].push_back({Brep::edge_of(h), beyond});
+    }
+  }
+
   void add_pair(FaceId a, FaceId b, bool coplanar) {
     PairOfFaces pair{{a, b}, coplanar, {}, {}};
     for (const Operand s : both_operands) {
