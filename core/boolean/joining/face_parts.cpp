@@ -183,7 +183,8 @@ class PartSettler {
 
   // Loops do not cross, so one point of a loop tells for all, or, if all are on the outer loop, one
   // edge that leads away from it.
-  bool surrounds(std::uint32_t outer, LoopId loop) const {
+  bool surrounds(std::uint32_t outer, LoopId loop) {
+    if (goes_back_along(outer, loop)) return false;
     bool decided = false, inside = false;
     std::vector<Entity> touched;
     const auto by_point = [&](HalfEdgeId h) {
@@ -212,6 +213,22 @@ class PartSettler {
     return inside;
   }
 
+  // What is cut out and the hole that is left have the same corners, the other way around.
+  bool goes_back_along(std::uint32_t outer, LoopId loop) {
+    points_.clear();
+    for_each_in_loop(brep_, loop, [&](HalfEdgeId h) {
+      if (patch_.side(h).valid()) points_.push_back(start(h));
+    });
+    const auto edges = edges_of(outer);
+    if (edges.size() != points_.size() || edges.empty()) return false;
+    const auto first = std::ranges::find(points_, start(edges[0]));
+    if (first == points_.end()) return false;
+    std::rotate(points_.begin(), first, points_.end());
+    std::reverse(points_.begin() + 1, points_.end());
+    return std::ranges::equal(edges, points_, {}, [&](HalfEdgeId h) { return start(h); });
+  }
+  PointId start(HalfEdgeId h) const { return brep_.point_of(brep_.from(h)); }
+
   Standing::Where standing_of(HalfEdgeId h, LoopId outer,
                               const std::vector<Entity>& touched) const {
     std::vector<BoundaryItem> items;
@@ -233,16 +250,21 @@ class PartSettler {
   }
 
   // Of two outer loops around one point: is the first one within the second?
-  bool is_within(std::uint32_t first, std::uint32_t second) const {
+  bool is_within(std::uint32_t first, std::uint32_t second) {
     const Estimate a = areas_[first], b = areas_[second];
     const double larger = std::abs(b.value) - std::abs(a.value);
     if (std::abs(larger) > a.error + b.error) return larger > 0;
     return surrounds(second, outer_[first]);
   }
 
-  void count_crossings(std::uint32_t outer, RayCount& count) const {
+  // Those of an outer loop, without null edges.
+  std::span<const HalfEdgeId> edges_of(std::uint32_t outer) const {
     const std::uint32_t first = outer == 0 ? 0 : outer_end_[outer - 1];
-    const auto edges = std::span(outer_edges_).subspan(first, outer_end_[outer] - first);
+    return std::span(outer_edges_).subspan(first, outer_end_[outer] - first);
+  }
+
+  void count_crossings(std::uint32_t outer, RayCount& count) const {
+    const auto edges = edges_of(outer);
     if (const OutlineTree* outline = outlines_[outer].get())
       count.add(*outline, edges);
     else
