@@ -5,8 +5,19 @@
 namespace sectile {
 namespace {
 
-// Doubles tell the side of each edge, as a rule. Where they do not, the plane through the edge
-// does, with the triangle's third corner on its inner side.
+// Is a point in the triangle on the inner side of an edge (positive), on its line, or beyond it?
+Sign inner_side(const Kernel& kernel, const Patch& patch, HalfEdgeId h, const Probe& point) {
+  const Brep& brep = patch.brep;
+  const PointId from = brep.point_of(brep.from(h)), to = brep.point_of(brep.to(h));
+  if (const auto turn = point.turn(brep.plane_of(h), from, to)) return *turn;
+  const PlaneId plane = patch.side(h);
+  const Sign sign = point.side(plane);
+  if (sign == Sign::zero) return sign;
+  return sign * kernel.side(brep.point_of(brep.from(brep.prev_of(h))), plane);
+}
+
+// Doubles tell the side of each edge, as a rule. Where they do not, the ends of the edges do, or
+// the plane through the edge, with the triangle's third corner on its inner side.
 Entity locate_in_triangle(const Kernel& kernel, const Patch& patch, HalfEdgeId first,
                           const Probe& point) {
   const Brep& brep = patch.brep;
@@ -21,9 +32,9 @@ Entity locate_in_triangle(const Kernel& kernel, const Patch& patch, HalfEdgeId f
         point.clear_turn(brep.point_of(brep.from(h)), brep.point_of(brep.to(h)), axis);
     if (turn == inner) continue;
     if (turn == -inner) return {};
-    const PlaneId plane = patch.side(h);
-    const Sign sign = point.side(plane);
-    if (sign == Sign::zero) {
+    const Sign side = inner_side(kernel, patch, h, point);
+    if (side == Sign::negative) return {};
+    if (side == Sign::zero) {
       // On two of the three lines: on the corner between them.
       if (++touched == 1)
         on = Brep::edge_of(h);
@@ -31,9 +42,7 @@ Entity locate_in_triangle(const Kernel& kernel, const Patch& patch, HalfEdgeId f
         on = brep.from(first);
       else
         on = brep.from(h);
-      continue;
     }
-    if (sign != kernel.side(brep.point_of(brep.from(brep.prev_of(h))), plane)) return {};
   }
   return touched > 0 ? on : Entity(brep.face_of(first));
 }

@@ -21,9 +21,15 @@ Number volume_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 }  // namespace
 
+// Seen from d, the volume is negative where the points turn left.
+Sign side_of_three(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  if (const Sign clear = clear_side(a, b, c, d); clear != Sign::zero) return clear;
+  if (const Bounded near = volume_of<Bounded>(a, b, c, d); near.decided()) return -near.sign();
+  return -volume_of<Dyadic>(a, b, c, d).sign();
+}
+
 bool in_one_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  if (clearly_off_plane(a, b, c, d) || volume_of<Bounded>(a, b, c, d).decided()) return false;
-  return volume_of<Dyadic>(a, b, c, d).sign() == Sign::zero;
+  return side_of_three(a, b, c, d) == Sign::zero;
 }
 
 double six_times_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {

@@ -75,6 +75,8 @@ class NormalOfThree {
 inline Sign clear_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return NormalOfThree(a, b, c).clear_side(d);
 }
+/// The same, decided exactly: zero if the points are in one plane.
+Sign side_of_three(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 /// Is d certainly not in the plane of the others?
 inline bool clearly_off_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {

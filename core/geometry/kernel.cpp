@@ -1,6 +1,7 @@
 #include "geometry/kernel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -186,6 +187,31 @@ Estimate Kernel::estimate(const Vec3& p, PlaneId plane) const {
   return {x + y + z + s.d, error};
 }
 
+std::optional<double> Kernel::level(const Construction& how, int axis) const {
+  for (const PlaneId s : {how.a, how.b, how.c})
+    if (s.valid() && value(s).axis == axis) return value(s).n[axis] > 0 ? -value(s).d : value(s).d;
+  if (!how.line_from.valid() || !geometry_.is_explicit(how.line_from) ||
+      !geometry_.is_explicit(how.line_to))
+    return {};
+  const double at = component(geometry_.position(how.line_from), axis);
+  if (component(geometry_.position(how.line_to), axis) != at) return {};
+  return at;
+}
+
+std::optional<double> Kernel::level(PointId p, int axis) const {
+  if (geometry_.is_constructed(p)) return level(geometry_.construction(p), axis);
+  if (!geometry_.is_explicit(p)) return {};
+  return component(geometry_.position(p), axis);
+}
+
+std::optional<Sign> Kernel::level_side(const Construction& how, PlaneId plane) const {
+  const PlaneValue& s = value(plane);
+  if (s.axis < 0) return {};
+  const auto at = level(how, s.axis);
+  if (!at) return {};
+  return sign_of(s.n[s.axis] * *at + s.d);  // the sign of a sum of two is right
+}
+
 Sign Kernel::side(PointId point, PlaneId plane) const {
   const Estimate value = estimate(point, plane);
   return value.decided() ? value.sign() : exact_side(point, plane);
@@ -201,6 +227,37 @@ bool defines(const Geometry& geometry, PointId p, const PlaneDefinition& plane) 
          (plane.kind() == PlaneDefinition::Kind::three_points && is(plane.c));
 }
 
+// The axis on which alone two points differ, or none.
+int only_difference(const Vec3& p, const Vec3& q) {
+  int axis = -1;
+  for (int k = 0; k < 3; ++k) {
+    if (component(p, k) == component(q, k)) continue;
+    if (axis >= 0) return -1;
+    axis = k;
+  }
+  return axis;
+}
+
+// Does the plane run along an axis on which alone the point differs from one through which the
+// plane is laid? So it is with the corners of two prisms that stand one on the other.
+bool stands_on(const Geometry& geometry, PointId p, const PlaneDefinition& plane) {
+  if (plane.kind() != PlaneDefinition::Kind::three_points || !geometry.is_explicit(p)) return false;
+  const std::array<PointId, 3> points{PointId(plane.a), PointId(plane.b), PointId(plane.c)};
+  for (const PointId q : points)
+    if (!geometry.is_explicit(q)) return false;
+  const auto differ = [&](PointId q, PointId r) {
+    return only_difference(geometry.position(q), geometry.position(r));
+  };
+  const auto runs_along = [&](int axis) {
+    return differ(points[0], points[1]) == axis || differ(points[1], points[2]) == axis ||
+           differ(points[2], points[0]) == axis;
+  };
+  return std::ranges::any_of(points, [&](PointId q) {
+    const int axis = differ(p, q);
+    return axis >= 0 && runs_along(axis);
+  });
+}
+
 }  // namespace
 
 Sign Kernel::exact_side(PointId point, PlaneId plane) const {
@@ -208,7 +265,9 @@ Sign Kernel::exact_side(PointId point, PlaneId plane) const {
   if (!geometry_.is_constructed(point)) {
     if (s.axis >= 0 && geometry_.is_explicit(point))  // the sign of a sum of two is right
       return sign_of(s.n[s.axis] * component(geometry_.position(point), s.axis) + s.d);
-    if (defines(geometry_, point, geometry_.definition(plane))) return Sign::zero;
+    const PlaneDefinition& definition = geometry_.definition(plane);
+    if (defines(geometry_, point, definition) || stands_on(geometry_, point, definition))
+      return Sign::zero;
     if (s.exact && geometry_.is_explicit(point)) {
       const Vec3& p = geometry_.position(point);
       const double a[4] = {s.n[0], s.n[1], s.n[2], s.d}, b[4] = {p.x, p.y, p.z, 1};
@@ -221,6 +280,7 @@ Sign Kernel::exact_side(PointId point, PlaneId plane) const {
   }
   const Construction& how = geometry_.construction(point);
   if (how.a == plane || how.b == plane || how.c == plane) return Sign::zero;
+  if (const auto known = level_side(how, plane)) return *known;
   // Short numbers are exact in no more time.
   if (!s.exact || !value(how.c).exact) {
     const BoundedPoint q = bounded(how);
@@ -362,7 +422,7 @@ Sign Kernel::compare(PointId p, PointId q, int axis) const {
   const double x = component(geometry_.position(p), axis);
   const double y = component(geometry_.position(q), axis);
   if (x != y) return x < y ? Sign::positive : Sign::negative;
-  if (p == q || (geometry_.is_explicit(p) && geometry_.is_explicit(q))) return Sign::zero;
+  if (p == q || (level(p, axis) && level(q, axis))) return Sign::zero;
   const ExactPoint &u = exact(p), &v = exact(q);
   return minor(v.x[axis], v.w, u.x[axis], u.w).sign() * u.w.sign() * v.w.sign();
 }

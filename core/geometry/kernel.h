@@ -96,6 +96,14 @@ class Kernel {
   /// The sign of ((q - p) × (r - p)) · e_axis: the turn p, q, r seen against an axis.
   Sign turn(PointId p, PointId q, PointId r, int axis) const;
 
+  /// One coordinate, where it is a double that is known without arithmetic: it is the same all
+  /// along the line of the construction, or on one of its planes.
+  std::optional<double> level(const Construction& how, int axis) const;
+  std::optional<double> level(PointId p, int axis) const;
+  /// Positive: on the side to which the normal points. Of a plane across an axis, where the
+  /// coordinate is known.
+  std::optional<Sign> level_side(const Construction& how, PlaneId plane) const;
+
   const ExactPlane& exact(PlaneId s) const;
   const ExactPoint& exact(PointId p) const;
   ExactPoint exact(const Construction& how) const;

@@ -57,18 +57,25 @@ class PlanarRay {
         odd_ = !odd_;
       return Touch::nothing;
     }
-    const PlaneId plane = across();
-    const Sign side = point_->side(plane);
-    if (side == Sign::zero) return Touch::within;
-    // The edge runs along sense · (n × normal(plane)); its left side has the sign -sense.
-    const Sign sense = (up ? Sign::positive : Sign::negative) * kernel_->cross(plane_, plane, j_);
-    const bool left = side == -sense;
+    const Sign turn = turn_along(u, v, up, across);
+    if (turn == Sign::zero) return Touch::within;
     const bool mirrored = kernel_->normal(plane_, k_) == Sign::negative;
-    if ((left != mirrored) == up) odd_ = !odd_;
+    if (((turn == Sign::positive) != mirrored) == up) odd_ = !odd_;
     return Touch::nothing;
   }
 
  private:
+  // Is the point to the left of an edge that goes up or down past it?
+  template <class Across>
+  Sign turn_along(PointId u, PointId v, bool up, const Across& across) const {
+    if constexpr (requires { point_->turn(plane_, u, v); })
+      if (const auto turn = point_->turn(plane_, u, v)) return *turn;
+    const PlaneId plane = across();
+    // The edge runs along sense · (n × normal(plane)); its left side has the sign -sense.
+    const Sign sense = (up ? Sign::positive : Sign::negative) * kernel_->cross(plane_, plane, j_);
+    return -(point_->side(plane) * sense);
+  }
+
   const Kernel* kernel_;
   PlaneId plane_;
   const Point* point_;

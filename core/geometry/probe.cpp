@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/axes.h"
+#include "geometry/four_points.h"
 #include "numbers/rounding.h"
 
 namespace sectile {
@@ -68,6 +69,14 @@ Sign Probe::clear_turn(PointId p, PointId q, int axis) const {
   return turn.decided() ? turn.sign() : Sign::zero;
 }
 
+std::optional<Sign> Probe::turn(PlaneId plane, PointId p, PointId q) const {
+  if (point_.valid() || plane != how_.c) return {};
+  const Geometry& g = kernel_.geometry();
+  for (const PointId given : {from_, to_, p, q})
+    if (!g.is_explicit(given)) return {};
+  return side_of_three(g.position(from_), g.position(to_), g.position(p), g.position(q)) * to_side_;
+}
+
 const BoundedPoint& Probe::bounded() const {
   if (!bounded_) bounded_ = kernel_.bounded(how_);
   return *bounded_;
@@ -95,6 +104,7 @@ Sign Probe::side(PlaneId plane) const {
       16 * underflow;
   const Estimate crossing{left - right, error};
   if (crossing.decided()) return crossing.sign() * to_side_;
+  if (const auto known = kernel_.level_side(how_, plane)) return *known;
   const Bounded near = value_at(kernel_.bounded(plane), bounded());
   if (near.decided() && bounded().w.decided()) return near.sign() * bounded().w.sign();
   return value_at(kernel_.exact(plane), exact()).sign() * exact().w.sign();
@@ -114,6 +124,8 @@ Sign Probe::compare(PointId q, int axis) const {
     const Estimate ahead{y - component(near().at, axis),
                          error * (1 + 16 * unit) + 4 * unit * std::abs(y)};
     if (ahead.decided()) return ahead.sign();
+    if (const auto u = kernel_.level(how_, axis), v = kernel_.level(q, axis); u && v)
+      return sign_of(*v - *u);
   }
   const double x = component(position(), axis);
   if (x != y) return x < y ? Sign::positive : Sign::negative;

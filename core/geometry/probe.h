@@ -33,6 +33,10 @@ class Probe {
   /// The sign of ((q - p) × (this point - p)) · e_axis; zero if doubles do not tell. Unlike side(),
   /// it asks for no second plane, which may be nearly parallel to the one that the point is in.
   Sign clear_turn(PointId p, PointId q, int axis) const;
+  /// Of a crossing with the plane in which p and q are: the turn from p to q to it, as seen from
+  /// where the normal points, positive to the left. That takes nothing but the ends of both lines;
+  /// nothing where they are not three doubles each.
+  std::optional<Sign> turn(PlaneId plane, PointId p, PointId q) const;
   /// Rounded to nearest.
   const Vec3& position() const;
 

@@ -109,6 +109,38 @@ TEST(Kernel, PlanesAlongAxes) {
     }
 }
 
+// The corners of prisms that stand one on the other, and of some that do so nearly.
+TEST(Kernel, PlanesOfPrismsThatStandOnEachOther) {
+  AnyDouble any(5);
+  int on_plane = 0;
+  for (int i = 0; i < cases(300); ++i) {
+    const int axis = static_cast<int>(any.below(3));
+    const auto random = [&] { return std::ldexp(double(any.below(1u << 31)), -30); };
+    const Vec3 p{random(), random(), random()}, q{random(), random(), random()};
+    Vec3 above = any.below(2) == 0 ? p : q;
+    component(above, axis) = random();
+    Geometry g;
+    const PlaneId plane =
+        g.add_plane(PlaneDefinition::through(g.add_point(p), g.add_point(q), g.add_point(above)));
+    std::vector<PointId> points;
+    for (Vec3 at : {p, q}) {
+      component(at, axis) = random();
+      points.push_back(g.add_point(at));
+      double& moved = component(at, next_axis(axis));
+      moved = std::nextafter(moved, 2.0);
+      points.push_back(g.add_point(at));
+    }
+    const Kernel kernel(g);
+    const Vector n = cross(minus(vector(q), vector(p)), minus(vector(above), vector(p)));
+    for (const PointId r : points) {
+      const Sign side = rational_sign(dot(n, minus(vector(g.position(r)), vector(p))));
+      ASSERT_EQ(kernel.side(r, plane), side);
+      on_plane += side == Sign::zero ? 1 : 0;
+    }
+  }
+  EXPECT_GE(on_plane, 2 * cases(300));
+}
+
 TEST(Kernel, CoplanarPlanes) {
   in_many_scenes([](Scene& s) {
     const std::size_t a = s.any_plane(), b = s.any_plane();
@@ -163,7 +195,8 @@ TEST(Kernel, OfSomePlanesDecidesTheSame) {
 }
 
 struct Crossing {
-  PointId u, v;  // on different sides of the plane
+  PlaneId plane;
+  PointId u, v;  // on different sides of it
   Probe probe;
   Vector at;
 };
@@ -183,8 +216,8 @@ void with_crossings(const Check& check) {
     for (std::size_t k = 0; k < 3; ++k)
       at[k] = (s.points[u][k] * at_v - s.points[v][k] * at_u) / (at_v - at_u);
     const Construction how{PlaneId(), PlaneId(), PlaneId(f), PointId(u), PointId(v)};
-    check(s, Crossing{how.line_from, how.line_to, Probe(*s.kernel, how.line_from, how.line_to, how),
-                      at});
+    check(s, Crossing{how.c, how.line_from, how.line_to,
+                      Probe(*s.kernel, how.line_from, how.line_to, how), at});
   });
 }
 
@@ -202,6 +235,66 @@ TEST(Probe, OrderOfCrossingsAndPoints) {
       ASSERT_EQ(c.probe.compare(PointId(q), static_cast<int>(k)),
                 rational_sign(s.points[q][k] - c.at[k]));
   });
+}
+
+// Among the points through which the plane is laid, also where one is on the line.
+TEST(Probe, TurnsInThePlaneThatIsCrossed) {
+  int turns = 0, straight = 0;
+  with_crossings([&](Scene& s, const Crossing& c) {
+    const PlaneDefinition& how = s.geometry.definition(c.plane);
+    if (how.kind() != PlaneDefinition::Kind::three_points) return;
+    const std::uint32_t corners[] = {how.a, how.b, how.c};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t p = corners[i], q = corners[(i + 1) % 3];
+      const auto turn = c.probe.turn(c.plane, PointId(p), PointId(q));
+      if (!turn) continue;
+      ++turns;
+      straight += *turn == Sign::zero ? 1 : 0;
+      const Vector way = cross(minus(s.points[q], s.points[p]), minus(c.at, s.points[p]));
+      ASSERT_EQ(*turn, rational_sign(dot(way, s.planes[c.plane.value()].n)));
+    }
+  });
+  EXPECT_GT(turns, cases(30));
+  EXPECT_GT(straight, 0);
+}
+
+// On a plane across an axis, of a line across another one: two coordinates are known.
+TEST(Probe, LevelsOfCrossings) {
+  const double height = 0.7, next = std::nextafter(height, 1.0), along = -0.3;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool turned : {false, true}) {
+      const int i = next_axis(axis), j = next_next_axis(axis);
+      const auto point = [&](double on_axis, double on_i, double on_j) {
+        Vec3 p;
+        component(p, axis) = on_axis;
+        component(p, i) = on_i;
+        component(p, j) = on_j;
+        return p;
+      };
+      Geometry g;
+      const auto plane_at = [&](double at) {
+        const PointId a = g.add_point(point(at, 0, 0)), b = g.add_point(point(at, 1, 0)),
+                      c = g.add_point(point(at, 0, 1));
+        return g.add_plane(turned ? PlaneDefinition::through(a, c, b)
+                                  : PlaneDefinition::through(a, b, c));
+      };
+      const PlaneId here = plane_at(height), again = plane_at(height), above = plane_at(next);
+      const PointId u = g.add_point(point(0, along, 0.1)), v = g.add_point(point(1, along, 0.9)),
+                    level = g.add_point(point(height, along, 5)),
+                    beyond = g.add_point(point(next, std::nextafter(along, 1.0), 5));
+      const Kernel kernel(g);
+      const Construction how{{}, {}, here, u, v};
+      EXPECT_EQ(kernel.level(how, axis), height);
+      EXPECT_EQ(kernel.level(how, i), along);
+      EXPECT_EQ(kernel.level(how, j), std::nullopt);
+      const Probe probe(kernel, u, v, how);
+      for (const int k : {axis, i}) {
+        EXPECT_EQ(probe.compare(level, k), Sign::zero);
+        EXPECT_EQ(probe.compare(beyond, k), Sign::positive);
+      }
+      EXPECT_EQ(probe.side(again), Sign::zero);
+      EXPECT_EQ(probe.side(above), turned ? Sign::positive : Sign::negative);
+    }
 }
 
 // Doubles tell the truth, or nothing.
