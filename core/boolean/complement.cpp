@@ -78,12 +78,12 @@ std::vector<std::uint32_t> slots_near_segments(const Workspace& w, const SolidDa
 // A line in which the solid touches itself may lead on to other slots. Where very many edges run
 // along one line, faces that leave it in different directions are in no pair, but the edges are
 // in one row, or else all is tested.
-std::shared_ptr<const SolidData> paired_for_complement(const SolidData& solid) {
+std::shared_ptr<const SolidData> paired_for_complement(const SolidData& solid,
+                                                       std::vector<std::uint32_t> slots) {
   const BooleanOptions options;
   const Operation united[] = {Operation::unite};
   Wanted wanted{united, true};
-  const auto first = solid.touching_slots();
-  for (std::vector<std::uint32_t> slots(first.begin(), first.end());;) {
+  for (;;) {
     Workspace w(options);
     FacePairs pairs;
     load_slots(w, solid, slots, pairs, wanted);
@@ -110,8 +110,10 @@ std::shared_ptr<const SolidData> paired_for_complement(const SolidData& solid) {
 
 const SolidData& reversible(const SolidData& solid) {
   if (solid.touching_slots().empty()) return solid;
-  const SolidData* paired = solid.complement(
-      [&] { return may_touch_in_lines(solid) ? paired_for_complement(solid) : nullptr; });
+  const SolidData* paired = solid.complement([&]() -> std::shared_ptr<const SolidData> {
+    std::vector<std::uint32_t> slots = slots_touching_in_lines(solid);
+    return slots.empty() ? nullptr : paired_for_complement(solid, std::move(slots));
+  });
   return paired ? *paired : solid;
 }
 

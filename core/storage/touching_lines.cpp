@@ -5,6 +5,7 @@
 
 #include "geometry/four_points.h"
 #include "storage/block_elements.h"
+#include "storage/touching_slots.h"
 
 namespace sectile {
 namespace {
@@ -13,42 +14,36 @@ namespace {
 struct Corner {
   Vec3 at, before, after;
   bool is_convex;  // known to be: that of a triangle
+  bool is_given;   // are all three points doubles?
 };
 
 bool comes_first(const Vec3& p, const Vec3& q) {
   return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
 }
 
-// Collects the corners at some places, in all blocks that have some.
+// Collects the corners at some places, in all blocks that have some. Points that are not given are
+// known by their rounded positions: different ones are different points.
 class Collector {
  public:
   explicit Collector(const SolidData& solid) : solid_(solid) {}
 
-  /// False if not all that it takes is given: then nothing is known exactly.
-  bool run(std::vector<Corner>& corners) {
+  std::vector<Corner> run() {
     for (const Slot& slot : solid_.slots())
-      if (slot.may_touch() && !add_places(*slot.block)) return false;
+      if (slot.may_touch()) add_places(*slot.block);
     std::sort(places_.begin(), places_.end(), comes_first);
     places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
-    for (const std::uint32_t s : solid_.touching_slots())
-      if (!add_corners(BlockElements(*solid_.slot(s).block), *solid_.slot(s).block, corners))
-        return false;
-    return true;
+    for (const std::uint32_t s : solid_.touching_slots()) add_corners(*solid_.slot(s).block);
+    return std::move(corners_);
   }
 
  private:
-  bool add_places(const Block& block) {
-    const Geometry& geometry = block.geometry();
-    for (const VertexId v : block.touching_vertices()) {
-      const PointId p = block.brep().point_of(v);
-      if (!geometry.is_explicit(p)) return false;
-      places_.push_back(geometry.position(p));
-    }
-    return true;
+  void add_places(const Block& block) {
+    for (const VertexId v : block.touching_vertices())
+      places_.push_back(block.geometry().position(block.brep().point_of(v)));
   }
 
-  bool add_corners(const BlockElements& elements, const Block& block,
-                   std::vector<Corner>& corners) const {
+  void add_corners(const Block& block) {
+    const BlockElements elements(block);
     std::vector<Vec3> at(block.vertex_count());
     std::vector<std::uint8_t> is_place(at.size()), is_given(at.size());
     elements.each_vertex([&](std::uint32_t v, const Vec3& p, bool is_exact) {
@@ -56,18 +51,17 @@ class Collector {
       is_given[v] = is_exact;
       is_place[v] = std::binary_search(places_.begin(), places_.end(), p, comes_first);
     });
-    bool all_given = true;
-    elements.each_corner([&](std::uint32_t before, std::uint32_t v, std::uint32_t after,
-                             bool of_triangle) {
-      if (is_place[v] == 0) return;
-      all_given = all_given && is_given[v] != 0 && is_given[before] != 0 && is_given[after] != 0;
-      corners.push_back({at[v], at[before], at[after], of_triangle});
-    });
-    return all_given;
+    elements.each_corner(
+        [&](std::uint32_t before, std::uint32_t v, std::uint32_t after, bool of_triangle) {
+          if (is_place[v] == 0) return;
+          const bool all_given = is_given[v] != 0 && is_given[before] != 0 && is_given[after] != 0;
+          corners_.push_back({at[v], at[before], at[after], of_triangle, all_given});
+        });
   }
 
   const SolidData& solid_;
   std::vector<Vec3> places_;  // at which the solid touches itself, sorted
+  std::vector<Corner> corners_;
 };
 
 // Is the way from the corner to q, in the plane of the corner, clearly neither within nor along
@@ -90,8 +84,9 @@ class Place {
     constexpr std::size_t many = 100;  // each is looked at with each
     if (!has_single_edges()) return true;
     if (is_one_vertex()) return false;
-    return corners_.size() > many || std::any_of(corners_.begin(), corners_.end(),
-                                                 [&](const Corner& c) { return may_have_edge(c); });
+    return corners_.size() > many || std::ranges::any_of(corners_, [&](const Corner& c) {
+             return !c.is_given || may_have_edge(c);
+           });
   }
 
  private:
@@ -140,16 +135,19 @@ class Place {
 
 }  // namespace
 
-bool may_touch_in_lines(const SolidData& solid) {
-  std::vector<Corner> corners;
-  if (!Collector(solid).run(corners)) return true;
+std::vector<std::uint32_t> slots_touching_in_lines(const SolidData& solid) {
+  std::vector<Corner> corners = Collector(solid).run();
   std::sort(corners.begin(), corners.end(),
             [](const Corner& c, const Corner& d) { return comes_first(c.at, d.at); });
+  std::vector<Box> boxes;
   for (std::size_t from = 0, to; from < corners.size(); from = to) {
     for (to = from; to < corners.size() && corners[to].at == corners[from].at;) ++to;
-    if (Place(std::span(corners).subspan(from, to - from)).may_have_lines()) return true;
+    if (!Place(std::span(corners).subspan(from, to - from)).may_have_lines()) continue;
+    Bounds bounds;
+    bounds.add(corners[from].at);
+    boxes.push_back(bounds.box());
   }
-  return false;
+  return boxes.empty() ? std::vector<std::uint32_t>() : slots_near(solid, boxes);
 }
 
 }  // namespace sectile

@@ -38,8 +38,11 @@ PolygonMesh mesh_of(std::initializer_list<Tetrahedron> tetrahedra) {
   }
   return mesh;
 }
+bool may_touch_in_lines(const Solid& solid) {
+  return !slots_touching_in_lines(*solid.data()).empty();
+}
 bool may_touch_in_lines(std::initializer_list<Tetrahedron> tetrahedra) {
-  return may_touch_in_lines(*Solid::from_mesh(mesh_of(tetrahedra)).data());
+  return may_touch_in_lines(Solid::from_mesh(mesh_of(tetrahedra)));
 }
 
 // A pyramid upside down; of the squares of its base, those of every other field have heights of
@@ -103,9 +106,8 @@ TEST(TouchingLines, AnEdgeInAFaceIsOne) {
 TEST(TouchingLines, VerticesThatAreNotGivenMayHaveSome) {
   const Solid two =
       Solid::from_mesh(mesh_of({corner, {{{0, 0, 0}, {-4, -1, -1}, {-1, -1, -4}, {-1, -4, -1}}}}));
-  EXPECT_FALSE(may_touch_in_lines(*two.data()));
-  EXPECT_TRUE(
-      may_touch_in_lines(*transformed(two, Transform::rotation_degrees({1, 2, 3}, 40)).data()));
+  EXPECT_FALSE(may_touch_in_lines(two));
+  EXPECT_TRUE(may_touch_in_lines(transformed(two, Transform::rotation_degrees({1, 2, 3}, 40))));
 }
 
 // Blocks have numbers of their own for a vertex, and several if what they have around it does not
@@ -113,7 +115,46 @@ TEST(TouchingLines, VerticesThatAreNotGivenMayHaveSome) {
 TEST(TouchingLines, AVertexInSeveralBlocksIsOne) {
   const Solid solid = Solid::from_mesh(rough_checkers(140));
   ASSERT_FALSE(solid.data()->touching_slots().empty());  // they are marked for it
-  EXPECT_FALSE(may_touch_in_lines(*solid.data()));
+  EXPECT_FALSE(may_touch_in_lines(solid));
+}
+
+// Vertices of results are no doubles, but have places of their own as well.
+TEST(TouchingLines, AVertexOfAResultInSeveralBlocksIsOne) {
+  const Solid rough = Solid::from_mesh(rough_checkers(140));
+  const Transform turned = Transform::translation({70, 70, 0}) *
+                           Transform::rotation_degrees({0, 0, 1}, 40) *
+                           Transform::translation({-70, -70, 0});
+  const Solid both = boolean(rough, transformed(rough, turned), Operation::unite);
+  ASSERT_FALSE(both.data()->touching_slots().empty());
+  EXPECT_FALSE(may_touch_in_lines(both));
+}
+
+// Two tetrahedra with an edge in common, of which slanted planes leave the middle.
+Solid tetrahedra_along_an_edge_without_its_ends() {
+  const Solid two = Solid::from_mesh(mesh_of({{{{0, 0, 0}, {0, 0, 7}, {5, 1, 0}, {4, -2, 1}}},
+                                              {{{0, 0, 0}, {0, 0, 7}, {-5, 1, 2}, {-4, -2, 1}}}}));
+  const Solid below = split(two, {1, 2, 3, -16}).second;
+  return split(below, {-1, 1, 3, -4}).first;
+}
+
+TEST(TouchingLines, OfResultsAreFoundWhereTheyEndInVerticesThatAreNoDoubles) {
+  const Solid two = tetrahedra_along_an_edge_without_its_ends();
+  EXPECT_TRUE(may_touch_in_lines(two));
+  const Solid around = block({-9, -9, -9}, {9, 9, 9});
+  const Solid mould = boolean(around, two, Operation::subtract);
+  EXPECT_TRUE(validate(mould).empty());
+  EXPECT_NEAR(mould.volume(), around.volume() - two.volume(), 1e-9);
+  EXPECT_EQ(boolean(around, mould, Operation::subtract), two);
+}
+
+TEST(TouchingLines, AreLookedForAroundThePlacesOnlyFromWhichTheyMayLead) {
+  const Solid rough = Solid::from_mesh(rough_checkers(140));
+  const Solid beside =
+      transformed(tetrahedra_along_an_edge_without_its_ends(), Transform::translation({-20, 0, 0}));
+  const Solid both = boolean(rough, beside, Operation::unite);
+  const auto slots = slots_touching_in_lines(*both.data());
+  EXPECT_FALSE(slots.empty());
+  EXPECT_LT(slots.size(), both.data()->touching_slots().size());
 }
 
 TEST(TouchingLines, WhatTouchesInVerticesOnlyIsTakenAwayAsItIs) {
