@@ -8,6 +8,7 @@
 #include "needles.h"
 #include "sectile/primitives.h"
 #include "sectile/transform.h"
+#include "terrain.h"
 
 namespace sectile::bench {
 namespace {
@@ -58,6 +59,17 @@ Sequence beside_itself() {
     const Solid before = sphere_at({0, 0, 0}, 1, 250, 201);
     return Operands(before,
                     boolean(before, sphere_at({1, 0, 0}, 0.1, 30, 17), Operation::subtract));
+  });
+}
+
+// What two programs made of one terrain: all sides of its cells are in both.
+Sequence two_triangulations() {
+  return single("terrain of 22,500 cells halved in two ways", Operation::unite, [] {
+    const Terrain terrain{150, [](std::uint32_t i, std::uint32_t j) {
+                            return 15 + 3 * std::sin(0.37 * i) * std::cos(0.23 * j) +
+                                   std::sin(1.7 * i + 2.3 * j);
+                          }};
+    return Operands(trusted(terrain_mesh(terrain, true)), trusted(terrain_mesh(terrain, false)));
   });
 }
 
@@ -122,7 +134,7 @@ std::vector<Sequence> sequences() {
   for (const Case& each : cases())
     all.push_back(single(each.name, each.operation, [each] { return each.prepare()(); }));
   for (Sequence& each : std::vector<Sequence>{
-           near_coincident(), two_versions(), beside_itself(), needles(),
+           near_coincident(), two_versions(), beside_itself(), two_triangulations(), needles(),
            drag("10 steps of 1,000 in 10,000", 100, 51),
            drag("10 steps of 1,000 in 100,000", 320, 157),
            drag("10 steps of 1,000 in 1,000,000", 1000, 501), chess_board(), spheres_from_block()})

@@ -237,9 +237,9 @@ TEST(Probe, OrderOfCrossingsAndPoints) {
   });
 }
 
-// Among the points through which the plane is laid, also where one is on the line.
+// Among the points through which the plane is laid.
 TEST(Probe, TurnsInThePlaneThatIsCrossed) {
-  int turns = 0, straight = 0;
+  int turns = 0;
   with_crossings([&](Scene& s, const Crossing& c) {
     const PlaneDefinition& how = s.geometry.definition(c.plane);
     if (how.kind() != PlaneDefinition::Kind::three_points) return;
@@ -249,13 +249,34 @@ TEST(Probe, TurnsInThePlaneThatIsCrossed) {
       const auto turn = c.probe.turn(c.plane, PointId(p), PointId(q));
       if (!turn) continue;
       ++turns;
-      straight += *turn == Sign::zero ? 1 : 0;
       const Vector way = cross(minus(s.points[q], s.points[p]), minus(c.at, s.points[p]));
       ASSERT_EQ(*turn, rational_sign(dot(way, s.planes[c.plane.value()].n)));
     }
   });
   EXPECT_GT(turns, cases(30));
-  EXPECT_GT(straight, 0);
+}
+
+// The other plane is the same, but not by its number.
+TEST(Probe, DoesNotTurnWhereEdgesCross) {
+  Geometry g;
+  const PointId a = g.add_point({0.1, 0, 0.3}), b = g.add_point({0.7, 0, 0.3}),
+                c = g.add_point({0.1, 0.9, 0.3});
+  const PointId u = g.add_point({0.4, 0, -0.7}), v = g.add_point({0.4, 0, 0.9}),
+                w = g.add_point({0.4, 0x1p-60, 0.9});
+  const PlaneId up = g.add_plane(PlaneDefinition::through(a, b, c)),
+                down = g.add_plane(PlaneDefinition::through(a, c, b));
+  const Kernel kernel(g);
+  for (const PlaneId plane : {up, down}) {
+    const Sign left = plane == up ? Sign::positive : Sign::negative;
+    const Probe on(kernel, u, v, {{}, {}, plane, u, v}),
+        beside(kernel, w, u, {{}, {}, plane, w, u});
+    EXPECT_EQ(on.turn(plane, a, b), Sign::zero);
+    EXPECT_EQ(on.turn(plane, b, a), Sign::zero);
+    EXPECT_EQ(on.turn(plane, b, c), left);
+    EXPECT_EQ(beside.turn(plane, a, b), left);
+    EXPECT_EQ(beside.turn(plane, b, a), -left);
+    EXPECT_EQ(on.turn(plane == up ? down : up, a, b), std::nullopt);
+  }
 }
 
 // On a plane across an axis, of a line across another one: two coordinates are known.
