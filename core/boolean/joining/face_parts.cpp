@@ -90,16 +90,14 @@ class PartSettler {
   // Null edges do not change it.
   Estimate area_of(LoopId l) const {
     LoopArea area(next_axis(axis_), next_next_axis(axis_));
-    for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
-      area.add(w_.geometry.position(brep_.point_of(brep_.from(h))));
-    });
+    for_each_in_loop(brep_, l, [&](HalfEdgeId h) { area.add(w_.geometry.position(start(h))); });
     return area.estimate();
   }
 
   void collect_points(LoopId l) {
     points_.clear();
     for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
-      const PointId p = brep_.point_of(brep_.from(h));
+      const PointId p = start(h);
       if (points_.empty() || points_.back() != p) points_.push_back(p);
     });
     if (points_.size() > 1 && points_.back() == points_.front()) points_.pop_back();
@@ -131,7 +129,7 @@ class PartSettler {
   LoopId around(LoopId inner) {
     build_loop_tree();
     const HalfEdgeId any = brep_.loop_half_edge[inner];
-    const Vec3& at = w_.geometry.position(brep_.point_of(brep_.from(any)));
+    const Vec3& at = w_.geometry.position(start(any));
     if (!patch_.unbounded)
       if (const LoopId only = only_one_near(at); only.valid()) return only;  // some loop does
     build_outlines();
@@ -189,7 +187,7 @@ class PartSettler {
     std::vector<Entity> touched;
     const auto by_point = [&](HalfEdgeId h) {
       if (decided) return;
-      const PointId p = brep_.point_of(brep_.from(h));
+      const PointId p = start(h);
       const Probe probe(kernel_, p);
       RayCount count(kernel_, patch_, patch_.plane(root_), probe, touched);
       count_crossings(outer, count);
@@ -199,7 +197,7 @@ class PartSettler {
     };
     const auto by_direction = [&](HalfEdgeId h) {
       if (decided || !patch_.side(h).valid()) return;
-      const PointId p = brep_.point_of(brep_.from(h));
+      const PointId p = start(h);
       const Probe probe(kernel_, p);
       RayCount count(kernel_, patch_, patch_.plane(root_), probe, touched);
       count_crossings(outer, count);
@@ -279,9 +277,7 @@ class PartSettler {
     loop_boxes_.clear();
     for (const LoopId l : outer_) {
       Bounds bounds;
-      for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
-        bounds.add(w_.geometry.position(brep_.point_of(brep_.from(h))));
-      });
+      for_each_in_loop(brep_, l, [&](HalfEdgeId h) { bounds.add(w_.geometry.position(start(h))); });
       areas_.push_back(area_of(l));
       Box box = bounds.box();
       box.low[axis_] = box.high[axis_] = smallest_side(areas_.back());
@@ -302,7 +298,7 @@ class PartSettler {
       for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
         if (!patch_.side(h).valid()) return;  // a null edge
         outer_edges_.push_back(h);
-        corners.push_back(w_.geometry.position(brep_.point_of(brep_.from(h))));
+        corners.push_back(w_.geometry.position(start(h)));
       });
       outer_end_.push_back(static_cast<std::uint32_t>(outer_edges_.size()));
       const std::uint32_t all[] = {static_cast<std::uint32_t>(corners.size())};

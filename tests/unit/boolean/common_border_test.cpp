@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "sectile/sectile.h"
+#include "terrain.h"
 #include "volumes.h"
 
 namespace sectile {
 namespace {
 
-// Square cells, each of them two triangles above; below them is the plane z = 0.
+// With heights that are small integers.
 class Terrain {
  public:
   Terrain(std::uint32_t cells, int highest, std::uint32_t seed) : cells_(cells) {
@@ -21,44 +22,10 @@ class Terrain {
     for (std::uint32_t i = 0; i < (cells + 1) * (cells + 1); ++i) height_.push_back(height(random));
   }
 
-  /// `rising`: cells are halved from their lower left corners.
   Solid solid(bool rising) const {
-    PolygonMesh mesh;
-    for (const bool above : {false, true})
-      for (std::uint32_t i = 0; i <= cells_; ++i)
-        for (std::uint32_t j = 0; j <= cells_; ++j)
-          mesh.positions.push_back({double(i), double(j), above ? height(i, j) : 0.0});
-    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-      mesh.indices.insert(mesh.indices.end(), {a, b, c});
-      mesh.face_sizes.push_back(3);
-    };
-    const auto low = [&](std::uint32_t i, std::uint32_t j) { return i * (cells_ + 1) + j; };
-    const auto high = [&](std::uint32_t i, std::uint32_t j) {
-      return low(i, j) + (cells_ + 1) * (cells_ + 1);
-    };
-    const auto add_wall = [&](std::uint32_t p, std::uint32_t q, std::uint32_t above_q,
-                              std::uint32_t above_p) {
-      add(p, q, above_q);
-      add(p, above_q, above_p);
-    };
-    for (std::uint32_t i = 0; i < cells_; ++i) {
-      for (std::uint32_t j = 0; j < cells_; ++j) {
-        add(low(i, j), low(i, j + 1), low(i + 1, j + 1));
-        add(low(i, j), low(i + 1, j + 1), low(i + 1, j));
-        if (rising) {
-          add(high(i, j), high(i + 1, j), high(i + 1, j + 1));
-          add(high(i, j), high(i + 1, j + 1), high(i, j + 1));
-        } else {
-          add(high(i, j), high(i + 1, j), high(i, j + 1));
-          add(high(i + 1, j), high(i + 1, j + 1), high(i, j + 1));
-        }
-      }
-      add_wall(low(i, 0), low(i + 1, 0), high(i + 1, 0), high(i, 0));
-      add_wall(low(i + 1, cells_), low(i, cells_), high(i, cells_), high(i + 1, cells_));
-      add_wall(low(0, i + 1), low(0, i), high(0, i), high(0, i + 1));
-      add_wall(low(cells_, i), low(cells_, i + 1), high(cells_, i + 1), high(cells_, i));
-    }
-    return Solid::from_mesh(mesh);
+    const bench::Terrain terrain{cells_,
+                                 [&](std::uint32_t i, std::uint32_t j) { return height(i, j); }};
+    return Solid::from_mesh(bench::terrain_mesh(terrain, rising));
   }
 
   /// What is below both ways to halve the cells. In a cell the two are as far from each other in

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "parallel/alone.h"
+#include "sectile/transform.h"
 #include "unit/boolean/phases.h"
 
 namespace sectile {
@@ -148,6 +150,18 @@ TEST(Reduction, BlocksApartHaveNoContact) {
   EXPECT_TRUE(phases.contacts().contacts.empty());
   EXPECT_TRUE(phases.contacts().places.empty());
   EXPECT_TRUE(phases.contacts().segments.empty());
+}
+
+// In builds in which even few are a crowd, all threads have work.
+TEST(Loading, WhereLittleIsNearOtherThreadsAreNotWoken) {
+  {
+    const Phases few(test::lower_cube(), test::upper_cube(), Operation::unite);
+    EXPECT_EQ(parallel::Alone::now(), threshold(true, false));
+  }
+  EXPECT_FALSE(parallel::Alone::now());
+  const Solid ball = sphere(1, 90, 60);
+  const Phases many(ball, transformed(ball, Transform::translation({0.5, 0, 0})), Operation::unite);
+  EXPECT_FALSE(parallel::Alone::now());
 }
 
 }  // namespace
