@@ -72,8 +72,6 @@ Solid solid_of(const Workspace& w, Glued glued) {
 CutBoundaries cut(Workspace& w, const FacePairs& pairs, const Wanted& wanted) {
   step(w, 0.1);
   Contacts contacts = reduce(w, pairs);
-  if (contacts.has_unswept_lines)
-    throw NeedsAllPairs("a line along which pairs were left out has no row");
   if (is_observed(w, wanted)) report_reduction(w, contacts);
   return cut_at(w, std::move(contacts), wanted);
 }

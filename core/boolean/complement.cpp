@@ -77,21 +77,17 @@ std::vector<std::uint32_t> slots_near_segments(const Workspace& w, const SolidDa
 
 // A line in which the solid touches itself may lead on to other slots. Where very many edges run
 // along one line, faces that leave it in different directions are in no pair, but the edges are
-// in one row, or else all is tested.
+// in one row.
 std::shared_ptr<const SolidData> paired_for_complement(const SolidData& solid,
                                                        std::vector<std::uint32_t> slots) {
   const BooleanOptions options;
   const Operation united[] = {Operation::unite};
-  Wanted wanted{united, true};
+  const Wanted wanted{united, true};
   for (;;) {
     Workspace w(options);
     FacePairs pairs;
     load_slots(w, solid, slots, pairs, wanted);
     Contacts contacts = reduce(w, pairs);
-    if (contacts.has_unswept_lines) {
-      wanted.all_pairs = true;
-      continue;
-    }
     leave_touching_segments(contacts);
     leave_touching_rows(contacts);
     if (contacts.segments.empty() && contacts.rows.empty()) return nullptr;

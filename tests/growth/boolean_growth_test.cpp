@@ -343,6 +343,24 @@ TEST(Growth, BooleansOfABookAndAFloorWithGrooves) {
     EXPECT_LT(growth_of_books_with_floor(with_grooves, operation, 100), n_log_n);
 }
 
+// One stands on the floor, and the line of the other one, in the body below it, crosses its line.
+TEST(Growth, BooleansOfBooksWhoseLinesCrossInAFloor) {
+  const auto half_book = [](std::size_t n, double y, double low) {
+    const Solid half = boolean(Solid::from_mesh(book(2 * n, 1e-4, 1e-4)),
+                               block({-2, y, -1}, {2, y + 2, 3}), Operation::intersect);
+    return transformed(half, Transform::translation({0, 0, low}));
+  };
+  const auto across = [&](std::size_t n) {
+    const Solid floor = block({-2, -2, -2}, {2, 0, 2}),
+                books = boolean(
+                    half_book(n, 0, -0.5),
+                    transformed(half_book(n, -2, -0.4), Transform::rotation_degrees({0, 1, 0}, 90)),
+                    Operation::unite);
+    return [=] { boolean(floor, books, Operation::subtract); };
+  };
+  EXPECT_LT(growth(across, 100), n_log_n);
+}
+
 // The plane has the line in it, and nothing else but what crosses it there.
 TEST(Growth, SplitOfABookThroughItsLine) {
   const auto through_line = [](std::size_t n) {

@@ -4,7 +4,7 @@
 // Around such a line all boxes overlap, and each edge ends within all others. But two faces that
 // leave the line in different directions meet in nothing but the line, and what both solids have on
 // it is a row, whether pairs of faces have found it or not (reduction/rows_on_lines.h). So such
-// pairs are left out. Where no row can be made, all pairs are needed.
+// pairs are left out.
 #pragma once
 
 #include <cstdint>

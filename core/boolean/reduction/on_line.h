@@ -19,17 +19,18 @@ struct OnLine {
   std::vector<PlaceId> met;  ///< between its ends: where segments end that lead away from the line
 };
 
-/// Where a segment in a face crosses the line, and nothing is known to divide it.
-struct CrossedFace {
+/// Where a segment in a face crosses the line, or another line leads away from an edge or a face on
+/// this one, and nothing is known to divide it.
+struct Crossed {
   Operand operand;
-  FaceId face;
+  Entity carrier;
   PointId point;
 };
 
 /// What of both operands is on one of Workspace::crowded_lines.
 struct LineOfBoth {
   std::vector<OnLine> all;  ///< edges before faces
-  std::vector<CrossedFace> crossed;
+  std::vector<Crossed> crossed;
   bool is_swept = false;  ///< is it a row?
 
   bool has_edges() const { return !all.empty() && all.front().carrier.is_edge(); }
@@ -44,6 +45,10 @@ struct FaceOnLine {
   friend auto operator<=>(const FaceOnLine&, const FaceOnLine&) = default;
 };
 
+inline AlongLineOfPoints along_line(const Workspace& w, std::uint32_t line) {
+  const auto& [p, q] = w.crowded_lines[line];
+  return {w.tests(), p, q};
+}
 /// Two planes that meet in a line that has edges.
 inline std::pair<PlaneId, PlaneId> planes_through(const Workspace& w, const LineOfBoth& line) {
   const OnLine& edge = line.all.front();

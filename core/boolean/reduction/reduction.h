@@ -71,7 +71,6 @@ struct Contacts {
   Table<PlaceId, PointId> places;      ///< the point of each place
   SegmentRecords segments;             ///< of what shares one, all pairs, or enough of very many
   std::vector<Row> rows;
-  bool has_unswept_lines = false;  ///< has a line, along which pairs were left out, no row?
 
   PointId point(PlaceId place) const { return places[place]; }
 };

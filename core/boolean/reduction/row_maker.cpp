@@ -4,9 +4,9 @@
 
 namespace sectile {
 
-Row RowMaker::run(std::span<const OnLine> all, std::span<const CrossedFace> crossed) {
+Row RowMaker::run(std::span<const OnLine> all, std::span<const Crossed> crossed) {
   for (const OnLine& piece : all) add_nodes(piece);
-  for (const CrossedFace& c : crossed) nodes_.push_back({c.point, c.operand, {}});
+  for (const Crossed& c : crossed) nodes_.push_back({c.point, c.operand, {}});
   add_places();
   for (const OnLine& piece : all) add_run(piece);
   if (!crossed.empty()) add_crossings(crossed);
@@ -67,32 +67,32 @@ void RowMaker::add_run(const OnLine& piece) {
   row_.runs.push_back(run);
 }
 
-// A face is divided, and what of the segment's operand runs through the point. So is the segment,
-// as the point is a place now.
-void RowMaker::add_crossings(std::span<const CrossedFace> crossed) {
+// What is crossed is divided, and what of the other operand runs through the point. So is the
+// segment that crosses, as the point is a place now.
+void RowMaker::add_crossings(std::span<const Crossed> crossed) {
   struct Crossing {
     Operand operand;
-    FaceId face;
+    Entity carrier;
     std::uint32_t place;
     auto operator<=>(const Crossing&) const = default;
   };
-  std::vector<Crossing> in_faces;
-  PerOperand<std::vector<std::uint32_t>> places;  // where one operand's faces are crossed
-  for (const CrossedFace& c : crossed) {
-    in_faces.push_back({c.operand, c.face, number(c.point)});
-    places[c.operand].push_back(in_faces.back().place);
+  std::vector<Crossing> crossings;
+  PerOperand<std::vector<std::uint32_t>> places;  // where one operand is crossed
+  for (const Crossed& c : crossed) {
+    crossings.push_back({c.operand, c.carrier, number(c.point)});
+    places[c.operand].push_back(crossings.back().place);
   }
-  std::ranges::sort(in_faces);
+  std::ranges::sort(crossings);
   for (auto& of_operand : places) std::ranges::sort(of_operand);
   for (std::uint32_t i = 0; i < row_.runs.size(); ++i) {
     const Row::Run& run = row_.runs[i];
     const auto& by_it = places[other(run.operand)];
     for (auto at = std::ranges::upper_bound(by_it, run.from); at != by_it.end() && *at < run.to;)
       row_.meetings.push_back({*at++, i});
-    if (!run.carrier.is_face()) continue;
-    const FaceId face = run.carrier.face();
-    const auto last = std::ranges::lower_bound(in_faces, Crossing{run.operand, face, run.to});
-    for (auto at = std::ranges::upper_bound(in_faces, Crossing{run.operand, face, run.from});
+    const auto last =
+        std::ranges::lower_bound(crossings, Crossing{run.operand, run.carrier, run.to});
+    for (auto at =
+             std::ranges::upper_bound(crossings, Crossing{run.operand, run.carrier, run.from});
          at < last;)
       row_.meetings.push_back({at++->place, i});
   }

@@ -15,7 +15,7 @@ class RowMaker {
       : w_(w), found_(found), places_(places), along_(along) {}
 
   /// Adds places.
-  Row run(std::span<const OnLine> all, std::span<const CrossedFace> crossed);
+  Row run(std::span<const OnLine> all, std::span<const Crossed> crossed);
 
  private:
   // Where something ends or is met.
@@ -29,7 +29,7 @@ class RowMaker {
   void add_places();
   void add_place(std::span<const Node> nodes);
   void add_run(const OnLine& piece);
-  void add_crossings(std::span<const CrossedFace> crossed);
+  void add_crossings(std::span<const Crossed> crossed);
   std::uint32_t number(PointId point) const;
 
   Workspace& w_;

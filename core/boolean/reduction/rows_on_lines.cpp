@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "boolean/reduction/crossing_lines.h"
 #include "boolean/reduction/edges_on_lines.h"
 #include "boolean/reduction/faces_on_lines.h"
 #include "boolean/reduction/met_on_lines.h"
 #include "boolean/reduction/row_maker.h"
 #include "search/edges_by_line.h"
-#include "search/piece_tree.h"
 
 namespace sectile {
 namespace {
@@ -24,17 +24,13 @@ class RowsMaker {
     choose_lines();
     leave_out_of_segments();
     add_met_places(w_, found_, faces_, lines_);
+    add_crossings_of_lines(w_, faces_, lines_);
     PlacesByPoint places(w_, found_);
     for (std::uint32_t line = 0; line < lines_.size(); ++line)
       if (lines_[line].is_swept) make_row(line, places);
   }
 
  private:
-  AlongLineOfPoints along(std::uint32_t line) const {
-    const auto& [p, q] = w_.crowded_lines[line];
-    return {w_.tests(), p, q};
-  }
-
   // Beyond an edge of which one face is not near, nothing of the other operand is.
   void find_edges(Operand s) {
     const Patch& patch = w_.patch[s];
@@ -58,47 +54,18 @@ class RowsMaker {
       return;
     }
     const PlaneId across = plane_across(w_, line, f.operand, f.face);
-    for (const FaceStretch& s : face_stretches(w_, f.operand, f.face, across, along(f.line)))
+    for (const FaceStretch& s :
+         face_stretches(w_, f.operand, f.face, across, along_line(w_, f.line)))
       line.all.push_back({f.operand, f.face, s, {}});
   }
 
-  // Those that have something of both operands, and do not cross each other in a face.
+  // Those that have something of both operands.
   void choose_lines() {
     for (LineOfBoth& line : lines_)
       line.is_swept = line.has_edges() && has(line, Operand::a) && has(line, Operand::b);
-    for (auto from = faces_.begin(), to = from; from != faces_.end(); from = to) {
-      to = std::find_if(from, faces_.end(), [&](const FaceOnLine& f) {
-        return f.operand != from->operand || f.face != from->face;
-      });
-      if (to - from > 1) leave_out_lines_that_cross({from, to});
-    }
   }
-
-  // Of lines in one face.
-  void leave_out_lines_that_cross(std::span<const FaceOnLine> in_face) {
-    std::vector<PieceTree::Edge> edges;
-    for (const FaceOnLine& f : in_face) {
-      const auto& [p, q] = w_.crowded_lines[f.line];
-      edges.push_back({w_.geometry.position(p), w_.geometry.position(q)});
-    }
-    PieceTree(edges).self_overlaps([&](std::uint32_t i, std::uint32_t j) {
-      const std::uint32_t l = in_face[i].line, m = in_face[j].line;
-      if (!reaches_across(l, m, in_face[i]) || !reaches_across(m, l, in_face[i])) return;
-      found_.has_unswept_lines |= lines_[l].is_swept || lines_[m].is_swept;
-      lines_[l].is_swept = lines_[m].is_swept = false;
-    });
-  }
-
   static bool has(const LineOfBoth& line, Operand s) {
     return std::ranges::any_of(line.all, [&](const OnLine& piece) { return piece.operand == s; });
-  }
-  // Do a line's edges reach from one side of another line in the plane of a face to its other side,
-  // or up to it?
-  bool reaches_across(std::uint32_t line, std::uint32_t other, const FaceOnLine& f) const {
-    const PlaneId across = plane_across(w_, lines_[other], f.operand, f.face);
-    const auto& [p, q] = w_.crowded_lines[line];
-    const Sign from = w_.tests().side(p, across), to = w_.tests().side(q, across);
-    return from == Sign::zero || from != to;
   }
 
   void leave_out_of_segments() {
@@ -140,8 +107,8 @@ class RowsMaker {
   void make_row(std::uint32_t number, PlacesByPoint& places) {
     LineOfBoth& line = lines_[number];
     std::ranges::stable_sort(line.all, {}, &OnLine::operand);
-    const AlongLineOfPoints along_line = along(number);
-    found_.rows.push_back(RowMaker(w_, found_, places, along_line).run(line.all, line.crossed));
+    const AlongLineOfPoints along = along_line(w_, number);
+    found_.rows.push_back(RowMaker(w_, found_, places, along).run(line.all, line.crossed));
   }
 
   Workspace& w_;

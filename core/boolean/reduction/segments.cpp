@@ -334,10 +334,8 @@ Contacts reduce(Workspace& w, const FacePairs& candidates) {
   const ContactTable table = find_contacts(w, candidates, found);
   find_segments(w, table, found);
   leave_out_open_edges(w, found);
-  const bool has_all_pairs = w.crowded_lines.empty();
-  if (has_all_pairs && !w.options.observer) mark_crowded_segments(w, found);
+  if (w.crowded_lines.empty() && !w.options.observer) mark_crowded_segments(w, found);
   make_rows(w, table, found);
-  if (has_all_pairs) found.has_unswept_lines = false;
   divide_rows(w, found);
   split_at_places(w, found);
   if (add_crossings(w, found)) split_at_places(w, found);
