@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases.h"
 #include "sectile/sectile.h"
 #include "tetrahedra.h"
 
@@ -113,7 +114,7 @@ TEST(NearDegenerate, SolidsTurnedByTinyAngles) {
 TEST(NearDegenerate, SolidsShiftedBySingleUlps) {
   for (const Tetrahedra& shape : shapes())
     for (const int ulps : {1, 4})
-      for (int axis = 0; axis < 4; ++axis) {
+      for (int axis = 0; axis < cases(4); ++axis) {
         Tetrahedra shifted = shape;
         const auto shift = [&](double& c) {
           for (int i = 0; i < ulps; ++i)
