@@ -9,27 +9,13 @@
 
 #include "cases.h"
 #include "sectile/sectile.h"
+#include "unit/for_an_observer.h"
 #include "unit/leaves.h"
 
 namespace sectile {
 namespace {
 
-struct Listener : Observer {
-  void phase_done(Phase, const std::vector<TraceEvent>&) override {}
-};
-
-void expect_the_same_for_an_observer(const Solid& a, const Solid& b) {
-  Listener listener;
-  BooleanOptions observed;
-  observed.observer = &listener;
-  for (const Operation op : {Operation::unite, Operation::intersect, Operation::subtract}) {
-    const Solid result = boolean(a, b, op), all = boolean(a, b, op, observed);
-    EXPECT_TRUE(result == all);
-    EXPECT_EQ(result.counts().faces, all.counts().faces);
-    EXPECT_EQ(result.counts().shells, all.counts().shells);
-    EXPECT_TRUE(validate(result).empty());
-  }
-}
+using test::expect_the_same_for_an_observer;
 
 // Half-planes around a line are numbered in a turn (test::on_square), from the floor up.
 constexpr int turn = 192, floor_ahead = 24, floor_behind = floor_ahead + turn / 2;

@@ -11,6 +11,7 @@
 #include "cases.h"
 #include "sectile/repair.h"
 #include "sectile/sectile.h"
+#include "unit/for_an_observer.h"
 #include "unit/leaves.h"
 
 namespace sectile {
@@ -35,23 +36,8 @@ Solid random_book(std::mt19937& random, int count, int lows, bool sheared) {
   return Solid::from_mesh(mesh);
 }
 
-struct Listener : Observer {
-  void phase_done(Phase, const std::vector<TraceEvent>&) override {}
-};
-
-void expect_the_same_for_an_observer(const Solid& a, const Solid& b) {
-  Listener listener;
-  BooleanOptions observed;
-  observed.observer = &listener;
-  for (const Operation op : {Operation::unite, Operation::intersect, Operation::subtract}) {
-    const Solid result = boolean(a, b, op), all = boolean(a, b, op, observed);
-    EXPECT_TRUE(result == all);
-    EXPECT_EQ(result.counts().faces, all.counts().faces);
-    EXPECT_EQ(result.counts().shells, all.counts().shells);
-    EXPECT_TRUE(validate(result).empty());
-    EXPECT_TRUE(boolean(result, b, Operation::subtract) == boolean(all, b, Operation::subtract));
-  }
-}
+using test::expect_the_same_for_an_observer;
+using test::Listener;
 
 void add_tetrahedron(const std::array<Vec3, 4>& corners, PolygonMesh& mesh) {
   const auto o = static_cast<std::uint32_t>(mesh.positions.size());
