@@ -8,6 +8,7 @@
 #include "geometry/same_definition.h"
 #include "numbers/rounding.h"
 #include "parallel/parallel.h"
+#include "sectile/errors.h"
 
 namespace sectile {
 namespace {
@@ -43,6 +44,7 @@ void clear(std::vector<std::atomic<const Value*>>& table) {
 }
 
 Vec3 rounded(const ExactPoint& p) {
+  if (p.w.sign() == Sign::zero) throw InternalError("planes that are to meet in a point do not");
   return {nearest_quotient(p.x[0], p.w), nearest_quotient(p.x[1], p.w),
           nearest_quotient(p.x[2], p.w)};
 }

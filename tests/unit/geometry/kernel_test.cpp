@@ -7,6 +7,7 @@
 #include "geometry/axes.h"
 #include "geometry/probe.h"
 #include "kernel_scene.h"
+#include "sectile/errors.h"
 
 namespace sectile::test {
 namespace {
@@ -150,6 +151,20 @@ TEST(Kernel, CoplanarPlanes) {
       same = same && s.planes[a].n[k] * s.planes[b].d == s.planes[b].n[k] * s.planes[a].d;
     ASSERT_EQ(s.kernel->coplanar(PlaneId(a), PlaneId(b)), same);
   });
+}
+
+// A state that cannot be: it must not be computed with.
+TEST(Kernel, PlanesWithoutACommonPointAreAnInternalError) {
+  Geometry g;
+  std::vector<PlaneId> planes;
+  for (const double height : {0.0, 1.0}) {
+    const PointId p = g.add_point({0, 0, height}), q = g.add_point({1, 0, height}),
+                  r = g.add_point({0, 1, height});
+    planes.push_back(g.add_plane(PlaneDefinition::through(p, q, r)));
+    if (height > 0) planes.push_back(g.add_plane(PlaneDefinition::along_axis(p, q, 2)));
+  }
+  const Kernel kernel(g);
+  EXPECT_THROW(kernel.construct({planes[0], planes[1], planes[2], {}, {}}), InternalError);
 }
 
 TEST(Kernel, OrderAndCoincidenceOfPoints) {
