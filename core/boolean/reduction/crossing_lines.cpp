@@ -1,7 +1,10 @@
 #include "boolean/reduction/crossing_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "boolean/reduction/edges_on_lines.h"
 #include "geometry/probe.h"
@@ -95,8 +98,9 @@ class CrossingsFinder {
       edges.push_back({w_.geometry.position((*reach)[0]), w_.geometry.position((*reach)[1])});
     }
     if (lines.size() < 2) return;
-    const auto& [operand, face, any] = in_face.front();
-    PieceTree(edges).self_overlaps([&, s = operand, f = face](std::uint32_t i, std::uint32_t j) {
+    const Operand s = in_face.front().operand;
+    const FaceId f = in_face.front().face;
+    PieceTree(edges).self_overlaps([&](std::uint32_t i, std::uint32_t j) {
       const PlaneId across_i = plane_across(w_, lines_[lines[i]], s, f),
                     across_j = plane_across(w_, lines_[lines[j]], s, f);
       if (!reaches_across(reaches[i], across_j) || !reaches_across(reaches[j], across_i)) return;
