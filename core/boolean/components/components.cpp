@@ -49,7 +49,7 @@ class Labelling {
   }
 
  private:
-  // A loaded face, a region, or a face or piece of a slot.
+  // A loaded face, a region, or a piece of a slot.
   struct Pending {
     std::uint32_t slot, number;
   };
@@ -88,20 +88,20 @@ class Labelling {
     if (set(rest_.of_region(region), label)) front_.push_back({region_slot, region});
   }
   // Of a slot in no region.
-  void set_member(std::uint32_t s, std::uint32_t member, std::uint8_t label) {
-    if (set(rest_.of_member(s, member), label)) front_.push_back({s, member});
+  void set_own(std::uint32_t s, std::uint32_t piece, std::uint8_t label) {
+    if (set(rest_.of_piece(s, piece), label)) front_.push_back({s, piece});
   }
   void set_piece(std::uint32_t s, std::uint32_t piece, std::uint8_t label) {
     if (const std::uint32_t region = rest_.region(s); region != RestLabels::none)
       set_region(region, label);
     else
-      set_member(s, piece, label);
+      set_own(s, piece, label);
   }
   void set_rest(std::uint32_t s, FaceId local, std::uint8_t label) {
     if (const std::uint32_t region = rest_.region(s); region != RestLabels::none)
       set_region(region, label);
     else
-      set_member(s, rest_.member(s, local), label);
+      set_own(s, rest_.piece(s, local), label);
   }
 
   void seed_from_segments(const Neighborhoods& n, const JoinedCuts& joined) {
@@ -131,7 +131,7 @@ class Labelling {
     else if (next.slot == region_slot)
       spread_region(next.number);
     else if (rest_.is_touched(next.slot))
-      spread_face(next.slot, FaceId(next.number));
+      spread_left(next.slot, next.number);
     else
       spread_piece(next.slot, next.number);
   }
@@ -178,32 +178,20 @@ class Labelling {
     set_rest(s, slot(s).block->brep().face_of(solid().local(s, in_solid)), label);
   }
 
-  // To all faces of the block that hang together with this one.
-  void spread_face(std::uint32_t s, FaceId face) {
+  void spread_left(std::uint32_t s, std::uint32_t piece) {
+    const std::uint8_t label = rest_.of_piece(s, piece);
     const Block& block = *slot(s).block;
-    const std::span<std::uint8_t> labels = rest_.of_touched(s);
-    const std::uint8_t label = labels[face.value()];
-    borders_.clear();
-    faces_.assign(1, face);
-    while (!faces_.empty()) {
-      const FaceId next = faces_.back();
-      faces_.pop_back();
-      for_each_in_face(block.brep(), next, [&](HalfEdgeId h) {
-        if (block.is_border(h)) return borders_.push_back(h);
-        const FaceId beyond = block.brep().face_of(Brep::twin(h));
-        std::uint8_t& there = labels[beyond.value()];
-        if (there == RestLabels::loaded)
-          set_loaded(loaded_beyond(s, h), label);
-        else if (set(there, label))
-          faces_.push_back(beyond);
-      });
+    for (const HalfEdgeId h : rest_.left().ends(s, piece)) {
+      if (block.is_border(h))
+        spread_across(s, h, label);
+      else
+        set_loaded(loaded_beyond(s, h), label);
     }
-    for (const HalfEdgeId h : borders_) spread_across(s, h, label);
   }
 
   // All faces of a piece have its label; it ends at the block's borders.
   void spread_piece(std::uint32_t s, std::uint32_t piece) {
-    const std::uint8_t label = rest_.of_member(s, piece);
+    const std::uint8_t label = rest_.of_piece(s, piece);
     if (!slot(s).links) return;
     const BorderLinks& links = *slot(s).links;
     for (const BorderLinks::Neighbour& n : links.neighbours(*slot(s).block, piece)) {
@@ -224,7 +212,7 @@ class Labelling {
     if (rest_.is_loaded(t, face))
       set_loaded(loaded_beyond(s, h), label);
     else
-      set_member(t, face.value(), label);
+      set_own(t, rest_.piece(t, face), label);
   }
 
   // The loaded face across a half-edge of a face that is not loaded.
@@ -254,9 +242,9 @@ class Labelling {
     if (rest_.empty()) return;
     for (std::uint32_t s = 0; s < solid().slots().size(); ++s) {
       if (!rest_.has(s, unknown)) continue;
-      for (std::uint32_t m = 0; m < rest_.count(s); ++m) {
-        if (rest_.label_of_member(s, m) != unknown) continue;
-        settle(s, m);
+      for (std::uint32_t piece = 0; piece < rest_.count(s); ++piece) {
+        if (rest_.label_of_piece(s, piece) != unknown) continue;
+        settle(s, piece);
         spread();
       }
     }
@@ -299,8 +287,8 @@ class Labelling {
       const HalfEdgeId h = Brep::half_edge(EdgeId(border));
       const std::uint32_t region = rest_.region(solid().across(s, h).slot);
       if (region == RestLabels::none) continue;
-      const std::uint32_t member = rest_.member(s, block.brep().face_of(h));
-      if (rest_.label_of_member(s, member) == unknown) waiting_.push_back({region, {s, member}});
+      const FaceId face = block.brep().face_of(h);
+      if (rest_.label(s, face) == unknown) waiting_.push_back({region, {s, rest_.piece(s, face)}});
     }
   }
 
@@ -311,13 +299,14 @@ class Labelling {
       if (w->what.slot == loaded_slot)
         set_loaded(FaceId(w->what.number), label);
       else
-        set_member(w->what.slot, w->what.number, label);
+        set_own(w->what.slot, w->what.number, label);
     }
   }
 
   // A shell that both boundaries have is the only one that lies on the other boundary.
-  void settle(std::uint32_t s, std::uint32_t member) {
-    const FaceId f = rest_.is_touched(s) ? FaceId(member) : slot(s).block->pieces().face_of(member);
+  void settle(std::uint32_t s, std::uint32_t piece) {
+    const FaceId f = rest_.is_touched(s) ? rest_.left().face_of(s, piece)
+                                         : slot(s).block->pieces().face_of(piece);
     if (w_.common_faces.has(operand_, s, f))
       set_rest(s, f, label_(operand_, w_.common_faces.class_of(operand_, s, f)));
     else
@@ -357,8 +346,6 @@ class Labelling {
   std::optional<IdMap> open_ends_;         // if not all of the operand is loaded
   std::vector<Waiting> waiting_;           // without label, by the regions beside them
   std::vector<Pending> front_;             // from where labels may spread further
-  std::vector<FaceId> faces_;              // the same, within one block
-  std::vector<HalfEdgeId> borders_;        // of that block
 };
 
 }  // namespace

@@ -8,14 +8,9 @@ namespace sectile {
 RestLabels::RestLabels(const Patch& patch) {
   if (patch.whole || patch.face_in_solid.size() == patch.solid->face_count()) return;
   solid_ = patch.solid;
-  touched_.assign(solid_->slots().size(), 0);
+  left_ = LeftPieces(patch);
   region_.assign(solid_->slots().size(), none);
   first_.assign(solid_->slots().size(), none);
-  for (const FaceId f : patch.face_in_solid) {
-    const std::uint32_t s = solid_->slot_of(f);
-    touched_[s] = 1;
-    of_member(s, solid_->local(s, f).value()) = loaded;
-  }
 }
 
 void RestLabels::set_regions(ClearRegions regions) {
@@ -25,11 +20,7 @@ void RestLabels::set_regions(ClearRegions regions) {
     if (is_touched(s)) region_[s] = none;
 }
 
-std::uint32_t RestLabels::count(std::uint32_t slot) const {
-  return is_touched(slot) ? solid_->slot(slot).faces : solid_->slot(slot).pieces;
-}
-
-void RestLabels::add_members(std::uint32_t slot) {
+void RestLabels::add_pieces(std::uint32_t slot) {
   first_[slot] = static_cast<std::uint32_t>(labels_.size());
   labels_.resize(labels_.size() + count(slot), unknown);
 }
@@ -37,7 +28,7 @@ void RestLabels::add_members(std::uint32_t slot) {
 std::span<const std::uint8_t> RestLabels::labels(std::uint32_t slot) const {
   if (region_[slot] != none) return {&region_label_[region_[slot]], 1};
   static constexpr std::uint8_t all = unknown;
-  if (first_[slot] == none) return {&all, 1};
+  if (first_[slot] == none) return {&all, std::min(count(slot), 1u)};
   return std::span(labels_).subspan(first_[slot], count(slot));
 }
 

@@ -1,6 +1,5 @@
-// Labels for what is not loaded of an operand: for each face in blocks of which faces are loaded,
-// and for each piece of the others. What is in one region has one label together, and is not
-// looked at.
+// Labels for what is not loaded of an operand: for each piece of a block, or of what is left of one
+// of which faces are loaded. What is in one region has one label together, and is not looked at.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +7,7 @@
 #include <vector>
 
 #include "boolean/components/clear_regions.h"
-#include "boolean/patch.h"
+#include "boolean/components/left_pieces.h"
 
 namespace sectile {
 
@@ -30,45 +29,46 @@ class RestLabels {
 
   /// Are there faces that are not loaded?
   bool empty() const { return solid_ == nullptr; }
-  /// Are faces of the slot's block loaded?
-  bool is_touched(std::uint32_t slot) const { return touched_[slot] != 0; }
+  /// Of the slots of which faces are loaded.
+  const LeftPieces& left() const { return left_; }
+  bool is_touched(std::uint32_t slot) const { return left_.is_touched(slot); }
   bool is_loaded(std::uint32_t slot, FaceId local) const {
-    return is_touched(slot) && label(slot, local) == loaded;
+    return is_touched(slot) && left_.of(slot, local) == LeftPieces::loaded;
   }
 
-  /// How many faces or pieces of a slot have labels of their own; they are numbered.
-  std::uint32_t count(std::uint32_t slot) const;
-  std::uint32_t member(std::uint32_t slot, FaceId local) const {
-    return is_touched(slot) ? local.value() : solid_->slot(slot).block->pieces().of(local);
+  /// How many pieces of a slot have labels of their own.
+  std::uint32_t count(std::uint32_t slot) const {
+    return is_touched(slot) ? left_.count(slot) : solid_->slot(slot).pieces;
+  }
+  /// Of a face that is not loaded.
+  std::uint32_t piece(std::uint32_t slot, FaceId local) const {
+    return is_touched(slot) ? left_.of(slot, local) : solid_->slot(slot).block->pieces().of(local);
   }
   /// Of a slot in no region. Valid until the next call.
-  std::uint8_t& of_member(std::uint32_t slot, std::uint32_t member) {
-    if (first_[slot] == none) add_members(slot);
-    return labels_[first_[slot] + member];
+  std::uint8_t& of_piece(std::uint32_t slot, std::uint32_t piece) {
+    if (first_[slot] == none) add_pieces(slot);
+    return labels_[first_[slot] + piece];
   }
-  std::uint8_t label_of_member(std::uint32_t slot, std::uint32_t member) const {
+  std::uint8_t label_of_piece(std::uint32_t slot, std::uint32_t piece) const {
     if (region_[slot] != none) return region_label_[region_[slot]];
-    return first_[slot] == none ? unknown : labels_[first_[slot] + member];
-  }
-  /// Per face of a touched slot. Valid until of_member() is called.
-  std::span<std::uint8_t> of_touched(std::uint32_t slot) {
-    return std::span(labels_).subspan(first_[slot], count(slot));
+    return first_[slot] == none ? unknown : labels_[first_[slot] + piece];
   }
   /// The label of a face that is not loaded; `loaded` of others.
   std::uint8_t label(std::uint32_t slot, FaceId local) const {
     if (region_[slot] != none) return region_label_[region_[slot]];
-    return first_[slot] == none ? unknown : labels_[first_[slot] + member(slot, local)];
+    if (is_loaded(slot, local)) return loaded;
+    return first_[slot] == none ? unknown : labels_[first_[slot] + piece(slot, local)];
   }
-  /// Is there a face with this label in the slot, or are there only such?
+  /// Has a piece of the slot this label, or have all?
   bool has(std::uint32_t slot, std::uint8_t label) const;
   bool has_only(std::uint32_t slot, std::uint8_t label) const;
 
  private:
-  void add_members(std::uint32_t slot);
+  void add_pieces(std::uint32_t slot);
   std::span<const std::uint8_t> labels(std::uint32_t slot) const;
 
   const SolidData* solid_ = nullptr;
-  std::vector<std::uint8_t> touched_;  // per slot
+  LeftPieces left_;
   std::vector<std::uint32_t> region_;  // per slot, or none
   std::vector<std::uint8_t> region_label_;
   std::vector<std::uint32_t> first_;  // per slot: of its labels; none as long as all are unknown

@@ -105,7 +105,7 @@ struct ToLoad {
 // Large ones beside each other, with geometries of their own at first.
 void load_patches(Workspace& w, const SolidData& a, ToLoad of_a, const SolidData& b, ToLoad of_b,
                   std::size_t pairs) {
-  constexpr std::size_t few = threshold(500, 1);
+  constexpr std::size_t few = threshold(200, 1);
   Patch &patch_a = w.patch[Operand::a], &patch_b = w.patch[Operand::b];
   if (of_a.faces.size() < few || of_b.faces.size() < few) {
     // The two faces of a pair are cut once, as a rule: five new edges in each, with both ends.
