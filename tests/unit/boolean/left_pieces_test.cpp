@@ -5,32 +5,21 @@
 
 #include <algorithm>
 #include <map>
-#include <random>
 #include <set>
 #include <tuple>
 
 #include "numbers/disjoint_sets.h"
 #include "sectile/sectile.h"
+#include "unit/boolean/some_faces.h"
 
 namespace sectile {
 namespace {
-
-// Each of the faces with this chance.
-std::vector<FaceId> some_faces(const SolidData& solid, double chance) {
-  std::mt19937 random(7);
-  std::bernoulli_distribution is_wanted(chance);
-  std::vector<FaceId> faces;
-  for (std::uint32_t s = 0; s < solid.slots().size(); ++s)
-    for (std::uint32_t f = 0; f < solid.slot(s).faces; ++f)
-      if (is_wanted(random)) faces.push_back(solid.face(s, FaceId(f)));
-  return faces;
-}
 
 class LeftOf : public testing::TestWithParam<double> {
  protected:
   const Solid solid_ = sphere(1, 60, 30);
   const SolidData& data_ = *solid_.data();
-  const std::vector<FaceId> loaded_ = some_faces(data_, GetParam());
+  const std::vector<FaceId> loaded_ = test::some_faces(data_, GetParam());
   Geometry geometry_;
   const Patch patch_ = load_patch(data_, loaded_, geometry_);
   const LeftPieces left_{patch_};

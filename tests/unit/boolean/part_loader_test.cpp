@@ -1,7 +1,6 @@
 // Some faces of solids in several blocks, loaded into a patch.
 #include <gtest/gtest.h>
 
-#include <random>
 #include <set>
 
 #include "boolean/patch.h"
@@ -9,6 +8,7 @@
 #include "geometry/loop_area.h"
 #include "sectile/sectile.h"
 #include "topology/links.h"
+#include "unit/boolean/some_faces.h"
 
 namespace sectile {
 namespace {
@@ -18,16 +18,6 @@ Solid ball_with_a_dent() {
   const Solid ball = sphere(1, 90, 60);
   return boolean(ball, transformed(ball, Transform::translation({0.7, 0.5, 0.3})),
                  Operation::subtract);
-}
-
-std::vector<FaceId> some_faces(const SolidData& solid, double share) {
-  std::mt19937 random(1);
-  std::bernoulli_distribution is_wanted(share);
-  std::vector<FaceId> faces;
-  for (std::uint32_t s = 0; s < solid.slots().size(); ++s)
-    for (std::uint32_t f = 0; f < solid.slot(s).faces; ++f)
-      if (is_wanted(random)) faces.push_back(solid.face(s, FaceId(f)));
-  return faces;
 }
 
 std::vector<Vec3> corners_in_solid(const SolidData& solid, FaceId face) {
@@ -46,7 +36,7 @@ class LoadedPart : public testing::TestWithParam<double> {
  protected:
   const Solid solid_ = ball_with_a_dent();
   const SolidData& data_ = *solid_.data();
-  const std::vector<FaceId> faces_ = some_faces(data_, GetParam());
+  const std::vector<FaceId> faces_ = test::some_faces(data_, GetParam());
   Geometry geometry_;
   const Patch patch_ = load_patch(data_, faces_, geometry_);
   const Kernel kernel_{geometry_};
