@@ -178,17 +178,6 @@ class Labelling {
     set_rest(s, slot(s).block->brep().face_of(solid().local(s, in_solid)), label);
   }
 
-  void spread_left(std::uint32_t s, std::uint32_t piece) {
-    const std::uint8_t label = rest_.of_piece(s, piece);
-    const Block& block = *slot(s).block;
-    for (const HalfEdgeId h : rest_.left().ends(s, piece)) {
-      if (block.is_border(h))
-        spread_across(s, h, label);
-      else
-        set_loaded(loaded_beyond(s, h), label);
-    }
-  }
-
   // All faces of a piece have its label; it ends at the block's borders.
   void spread_piece(std::uint32_t s, std::uint32_t piece) {
     const std::uint8_t label = rest_.of_piece(s, piece);
@@ -201,6 +190,18 @@ class Labelling {
       else
         for (const std::uint32_t border : links.borders(n))
           spread_across(s, Brep::half_edge(EdgeId(border)), label);
+    }
+  }
+
+  // The same of what is left of a block: it ends at loaded faces as well.
+  void spread_left(std::uint32_t s, std::uint32_t piece) {
+    const std::uint8_t label = rest_.of_piece(s, piece);
+    const Block& block = *slot(s).block;
+    for (const HalfEdgeId h : rest_.left().ends(s, piece)) {
+      if (block.is_border(h))
+        spread_across(s, h, label);
+      else
+        set_loaded(loaded_beyond(s, h), label);
     }
   }
 
