@@ -58,7 +58,7 @@ class NearTriangles {
   std::size_t recent_before_ = 0;
 };
 
-// What is at home at a site where the triangle lies in a cone is in the same cone, or apart.
+// What is at home at a site where the triangle lies in a cone is in a cone near that, or apart.
 template <class Visit>
 void NearTriangles::for_each(std::uint32_t triangle, const Visit& visit) const {
   const Box& own = box_[triangle];
@@ -77,9 +77,13 @@ void NearTriangles::for_each(std::uint32_t triangle, const Visit& visit) const {
                 return std::any_of(around.begin(), around.end(),
                                    [&](const auto& cone) { return cone.site == site; });
               });
-  for (const TouchingCones::Member cone : around)
-    for (const std::uint32_t t : cones_->at_home(cone))
-      if (home_in_tree_[t] == cone.site) visit_unchanged(t);
+  for (auto cone = around.begin(); cone != around.end(); ++cone) {
+    const auto is_of_site = [&](const auto& other) { return other.site == cone->site; };
+    if (std::any_of(around.begin(), cone, is_of_site)) continue;  // what is near is near both
+    cones_->for_each_at_home(*cone, [&](std::uint32_t t) {
+      if (home_in_tree_[t] == cone->site) visit_unchanged(t);
+    });
+  }
   for (const std::uint32_t t : recent_) visit_near(t);
 }
 

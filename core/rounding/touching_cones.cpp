@@ -83,22 +83,40 @@ PointId TouchingCones::point_amid(const Fan& fan, Corner corner) {
   return rounded_.geometry.add_point({at.x + far * way.x, at.y + far * way.y, at.z + far * way.z});
 }
 
-// Around a line, wedges have no inside in common, whatever they are.
 std::vector<TouchingCones::Member> TouchingCones::add_edge(std::span<const Corner> wedges) {
-  Site site;
-  site.is_edge = true;
-  std::vector<Member> cones;
+  const EdgeSectors sectors = sectors_around(wedges);
+  const std::span<const std::uint32_t> order = sectors.order();
+  std::vector<Member> cones(wedges.size(), {none, none});
+  if (order.empty()) return cones;
   const auto index = static_cast<std::uint32_t>(sites_.size());
-  for (const auto& [triangle, k] : wedges) {
-    if (side_of_mate(triangle, k) == Sign::positive) {
-      cones.push_back({none, none});
-      continue;
-    }
-    cones.push_back({index, static_cast<std::uint32_t>(site.cones.size())});
-    site.cones.push_back(cone_of({triangle, rounded_.surface.mate[triangle][k]}));
+  Site& site = sites_.emplace_back();
+  site.wedges = order.size();
+  const auto add = [&](const EdgeSectors::Sector& sector) {
+    Cone& cone = site.cones.emplace_back();
+    cone.planes = sector.planes;
+    if (!cone.planes.empty()) cone.fan.assign(sector.faces.begin(), sector.faces.end());
+  };
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
+    add(sectors.of_wedge(i));
+    if (!site.cones.back().planes.empty()) cones[order[i]] = {index, i};
   }
-  sites_.push_back(std::move(site));
+  for (std::uint32_t i = 0; i < order.size(); ++i) add(sectors.of_gap(i));
   return cones;
+}
+
+EdgeSectors TouchingCones::sectors_around(std::span<const Corner> wedges) {
+  const auto side = [&](std::uint32_t t, std::size_t k) {
+    return EdgeSectors::Side{t, rounded_.surface.plane[t],
+                             rounded_.surface.corners[t][next(next(k))]};
+  };
+  std::vector<EdgeSectors::Wedge> sides;
+  for (const auto& [t, k] : wedges) {
+    const std::uint32_t mate = rounded_.surface.mate[t][k], to = rounded_.corners[t][next(k)];
+    sides.push_back({side(t, k), side(mate, corner_at(rounded_.corners[mate], to))});
+  }
+  const auto& [t, k] = wedges.front();
+  const auto& corners = rounded_.surface.corners[t];
+  return {corners[k], corners[next(k)], sides, rounded_.geometry, kernel_};
 }
 
 TouchingCones::Fan TouchingCones::fan_at(Corner corner) const {
@@ -110,13 +128,6 @@ TouchingCones::Fan TouchingCones::fan_at(Corner corner) const {
     t = rounded_.surface.mate[t][corner_at(rounded_.corners[t], vertex)];
   } while (t != corner.triangle);
   return fan;
-}
-
-// Of the neighbour's third corner.
-Sign TouchingCones::side_of_mate(std::uint32_t triangle, std::size_t k) const {
-  const std::uint32_t mate = rounded_.surface.mate[triangle][k];
-  const std::size_t to = corner_at(rounded_.corners[mate], rounded_.corners[triangle][k]);
-  return kernel_.side(rounded_.surface.corners[mate][next(to)], rounded_.surface.plane[triangle]);
 }
 
 // Planes of some of its triangles that have all of the fan on one side.
@@ -161,21 +172,24 @@ bool TouchingCones::is_strictly_inside(PointId point, Member member) const {
                      [&](PlaneId plane) { return kernel_.side(point, plane) == site.inside; });
 }
 
-// Those of the fans first, so that these are at home there.
+// Those of edges first, and of these those of the fans: so these are at home there. Of a wall from
+// place to place nearly all is in its sector.
 void TouchingCones::find_members() {
   kernel_.refresh();
   if (empty()) return;
   memberships_.resize(rounded_.corners.size());
-  const auto for_each_cone = [&](const auto& visit) {
-    for (std::uint32_t s = 0; s < sites_.size(); ++s)
-      for (std::uint32_t c = 0; c < sites_[s].cones.size(); ++c) visit(Member{s, c});
-  };
-  for (const bool along_edges : {true, false})
+  for (const bool along_edges : {true, false}) {
+    const auto for_each_cone = [&](const auto& visit) {
+      for (std::uint32_t s = 0; s < sites_.size(); ++s)
+        for (std::uint32_t c = 0; sites_[s].is_edge() == along_edges && c < sites_[s].cones.size();
+             ++c)
+          visit(Member{s, c});
+    };
     for_each_cone([&](Member m) {
-      if (sites_[m.site].is_edge != along_edges) return;
       for (const std::uint32_t t : sites_[m.site].cones[m.cone].fan) add_member(t, m);
     });
-  for_each_cone([&](Member m) { find_members(m); });
+    for_each_cone([&](Member m) { find_members(m); });
+  }
 }
 
 // What is on the inner sides of all planes is in the cone only if there is something strictly so.
@@ -197,7 +211,7 @@ void TouchingCones::find_members(Member member) {
 void TouchingCones::add_member(std::uint32_t triangle, Member member) {
   Memberships& memberships = memberships_[triangle];
   if (memberships.cones.empty()) {
-    memberships.home = member.site;
+    memberships.home = member;
     sites_[member.site].cones[member.cone].at_home.push_back(triangle);
   }
   memberships.cones.push_back(member);
@@ -206,15 +220,16 @@ void TouchingCones::add_member(std::uint32_t triangle, Member member) {
 void TouchingCones::divide(std::uint32_t triangle, std::uint32_t added) {
   if (empty()) return;
   const Memberships copy = memberships_[triangle];
-  for (const Member m : copy.cones)
-    if (m.site == copy.home) sites_[m.site].cones[m.cone].at_home.push_back(added);
+  if (copy.home.site != none) sites_[copy.home.site].cones[copy.home.cone].at_home.push_back(added);
   memberships_.resize(added + 1);
   memberships_[added] = copy;
 }
 
 std::size_t TouchingCones::cones_beside(std::uint32_t vertex) const {
   const auto at = cone_at_.find(vertex);
-  return at == cone_at_.end() ? 0 : sites_[at->second.site].cones.size() - 1;
+  if (at == cone_at_.end()) return 0;
+  const Site& site = sites_[at->second.site];
+  return (site.is_edge() ? site.wedges : site.cones.size()) - 1;
 }
 
 bool TouchingCones::seems_inside(std::uint32_t vertex, Vec3 way) const {
@@ -255,10 +270,10 @@ void TouchingCones::note_move(std::uint32_t vertex, std::span<const std::uint32_
     Memberships& left = moving_[t];
     for (const Member m : known.cones) {
       if (!is_inside(m) ||
-          (m != own && !sites_[m.site].is_edge && !bends_towards_mate(vertex, t, m)))
+          (m != own && !sites_[m.site].is_edge() && !bends_towards_mate(vertex, t, m)))
         continue;
       left.cones.push_back(m);
-      if (m.site == known.home) left.home = m.site;
+      if (m == known.home) left.home = m;
     }
   }
 }
@@ -295,14 +310,19 @@ bool TouchingCones::are_apart(std::span<const Member> cones, std::uint32_t trian
   const std::span<const Member> others = cones_around(triangle);
   return std::any_of(cones.begin(), cones.end(), [&](Member m) {
     return std::any_of(others.begin(), others.end(),
-                       [&](Member n) { return m.site == n.site && m.cone != n.cone; });
+                       [&](Member n) { return m.site == n.site && are_apart(m, n); });
   });
+}
+
+bool TouchingCones::are_apart(Member a, Member b) const {
+  const Site& site = sites_[a.site];
+  return site.is_edge() ? EdgeSectors::are_apart(site.wedges, a.cone, b.cone) : a.cone != b.cone;
 }
 
 std::uint32_t TouchingCones::home(std::uint32_t triangle) const {
   if (empty()) return none;
-  if (const auto at = moving_.find(triangle); at != moving_.end()) return at->second.home;
-  return memberships_[triangle].home;
+  if (const auto at = moving_.find(triangle); at != moving_.end()) return at->second.home.site;
+  return memberships_[triangle].home.site;
 }
 
 }  // namespace sectile

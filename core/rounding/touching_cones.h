@@ -8,19 +8,21 @@
 #include <vector>
 
 #include "geometry/kernel.h"
+#include "rounding/edge_sectors.h"
 #include "rounding/rounded_surface.h"
 
 namespace sectile {
 
-/// A site is a place, or an edge, at which several fans of triangles touch. What a fan bounds is
-/// its cone, which need not be convex; from the points on the inner sides of all its planes all of
-/// it is seen. The fan's triangles are members of the cone, and so are those that hang on it and
-/// lie on these inner sides. Members of two cones of one site never meet as they must not, as long
-/// as each of their corners is where it was in the beginning, or strictly on the inner sides: so
-/// they need not be tested against each other.
+/// A site is a place, or an edge, at which several fans of triangles touch. What a fan bounds at a
+/// place is its cone, which need not be convex; from the points on the inner sides of all its
+/// planes all of it is seen. The fan's triangles are members of the cone, and so are those that
+/// hang on it and lie on these inner sides. Around an edge, cones are the sectors of wedges and of
+/// gaps (EdgeSectors). Members of two cones of one site that are apart never meet as they must not,
+/// as long as each of their corners is where it was in the beginning, or strictly on the inner
+/// sides: so they need not be tested against each other.
 ///
-/// The cones of a site are all of material, or all of the outside. Each is within half of space,
-/// and none is in another one.
+/// The cones of a place are all of material, or all of the outside. Each is within half of space,
+/// none is in another one, and all are apart.
 class TouchingCones {
  public:
   struct Member {
@@ -66,13 +68,13 @@ class TouchingCones {
   std::span<const Member> cones_around(std::uint32_t triangle) const;
   /// Is a triangle in another cone of one of the sites of some cones?
   bool are_apart(std::span<const Member> cones, std::uint32_t triangle) const;
-  /// One of its sites, the same until it is not in the cone there any more; then, or if it has no
+  /// One of its sites, the same until it is not in its cone there any more; then, or if it has no
   /// site: none.
   std::uint32_t home(std::uint32_t triangle) const;
-  /// The members of a cone that had their home there at first.
-  std::span<const std::uint32_t> at_home(Member cone) const {
-    return sites_[cone.site].cones[cone.cone].at_home;
-  }
+  /// Calls visit(triangle) for all that have their home at the site of a cone, or had it at first,
+  /// and are not apart from the cone.
+  template <class Visit>
+  void for_each_at_home(Member cone, const Visit& visit) const;
 
  private:
   struct Cone {
@@ -83,18 +85,21 @@ class TouchingCones {
   };
   struct Site {
     Sign inside = Sign::negative;  // of all planes
-    bool is_edge = false;
+    std::size_t wedges = 0;        // if it is an edge: has sectors of so many
     std::vector<Cone> cones;
+    bool is_edge() const { return wedges > 0; }
   };
   using Fan = std::vector<std::uint32_t>;  // triangles, each a neighbour of the one before it
   using Bounds = std::array<std::vector<PlaneId>, 2>;  // with all below them, or above
   struct Memberships {
-    std::uint32_t home = none;
+    Member home{none, none};
     std::vector<Member> cones;
   };
 
   Fan fan_at(Corner corner) const;
-  Sign side_of_mate(std::uint32_t triangle, std::size_t k) const;
+  EdgeSectors sectors_around(std::span<const Corner> wedges);
+  // Two of one site.
+  bool are_apart(Member a, Member b) const;
   Bounds bounds_of(const Fan& fan, std::uint32_t vertex) const;
   Cone cone_of(Fan fan) const;
   PointId point_amid(const Fan& fan, Corner corner);
@@ -113,5 +118,19 @@ class TouchingCones {
   std::unordered_map<std::uint32_t, Memberships> moving_;  // per triangle that moves
   bool has_moved_inside_ = false;
 };
+
+template <class Visit>
+void TouchingCones::for_each_at_home(Member cone, const Visit& visit) const {
+  const auto visit_all = [&](std::size_t of) {
+    for (const std::uint32_t t : sites_[cone.site].cones[of].at_home) visit(t);
+  };
+  const std::size_t n = sites_[cone.site].wedges;
+  visit_all(cone.cone);
+  if (n == 0) return;
+  // A wedge overlaps the gaps before and after it, and a gap the wedges.
+  const std::size_t i = cone.cone < n ? cone.cone : cone.cone - n;
+  visit_all(cone.cone < n ? n + i : i);
+  visit_all(cone.cone < n ? n + (i + n - 1) % n : (i + 1) % n);
+}
 
 }  // namespace sectile
