@@ -52,16 +52,34 @@ double AlongLine::error(const Vec3& p) const {
   return 64 * rounding::unit * m * (1 + std::abs(along / length_));
 }
 
+// Of p and q as they are seen: of the sum or difference of two products of one coordinate each.
+double AlongLine::error_of_products(const Vec3& p, const Vec3& q) const {
+  const Vec3 u = seen(p), v = seen(q);
+  const double of_u = std::abs(u.x) + std::abs(u.y), of_v = std::abs(v.x) + std::abs(v.y),
+               off_u = error(p), off_v = error(q);
+  return off_u * of_v + off_v * of_u + 2 * off_u * off_v + 4 * rounding::unit * of_u * of_v +
+         rounding::underflow;
+}
+
 // The axes across are in the order in which the turn from one to the other is counter-clockwise,
 // seen from where the axis along the line leads to.
 Sign AlongLine::turn(const Vec3& from, const Vec3& to) const {
   const Vec3 u = seen(from), v = seen(to);
-  const double p = u.x * v.y, q = u.y * v.x, off_u = error(from), off_v = error(to);
-  const double bound = off_u * (std::abs(v.x) + std::abs(v.y)) +
-                       off_v * (std::abs(u.x) + std::abs(u.y)) + 2 * off_u * off_v +
-                       4 * rounding::unit * (std::abs(p) + std::abs(q));
-  if (!(std::abs(p - q) > 2 * bound)) return Sign::zero;  // twice, as the bound was rounded, too
-  return sign_of(p - q) * sign_of(length_);
+  const double turn = u.x * v.y - u.y * v.x;
+  // Twice, as the bound was rounded, too.
+  if (!(std::abs(turn) > 2 * error_of_products(from, to))) return Sign::zero;
+  return sign_of(turn) * sign_of(length_);
+}
+
+// With c and s for what is in proportion to cosine and sine, c / (|c| + |s|): where both are off by
+// e, it is by less than 3 e / (|c| + |s|) and some roundings.
+AlongLine::Turned AlongLine::turned(const Vec3& from, const Vec3& to) const {
+  const Vec3 u = seen(from), v = seen(to);
+  const double along = u.x * v.x + u.y * v.y, across = u.x * v.y - u.y * v.x,
+               whole = std::abs(along) + std::abs(across),
+               off = 8 * error_of_products(from, to) / whole + 8 * rounding::unit;
+  if (!(off < 1)) return {0, 1};
+  return {along / whole, off};
 }
 
 // Rounding to nearest is monotonic.

@@ -26,12 +26,20 @@ class AlongLine {
   /// The shorter way around the line from the direction of one point to that of another:
   /// counter-clockwise, seen from where the line leads to? Zero if doubles do not tell.
   Sign turn(const Vec3& from, const Vec3& to) const;
+  /// How far the direction of one point is turned from that of another, by the shorter way: from 1
+  /// (not at all) down to -1 (half a turn), off by `error` at most. Zero and one if doubles do not
+  /// tell.
+  struct Turned {
+    double by, error;
+  };
+  Turned turned(const Vec3& from, const Vec3& to) const;
   /// Do two points on the line follow each other as its ends do? Zero if doubles do not tell.
   Sign along(const Vec3& from, const Vec3& to) const;
 
  private:
   Vec3 seen(const Vec3& p) const;
   double error(const Vec3& p) const;
+  double error_of_products(const Vec3& p, const Vec3& q) const;
 
   Vec3 from_;
   int axis_;  // on which the line is longest

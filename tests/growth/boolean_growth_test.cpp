@@ -342,22 +342,38 @@ TEST(Growth, BooleansOfABookAndAFloorWithGrooves) {
     EXPECT_LT(growth_of_books_with_floor(with_grooves, operation, 100), n_log_n);
 }
 
+// Walls on one side of the plane of two lines that cross, along one of them, and on the other side.
+Solid half_book(std::size_t n, double y, double low) {
+  const Solid half = boolean(Solid::from_mesh(book(2 * n, 1e-4, 1e-4)),
+                             block({-2, y, -1}, {2, y + 2, 3}), Operation::intersect);
+  return transformed(half, Transform::translation({0, 0, low}));
+}
+Solid upper_book(std::size_t n) {
+  return half_book(n, 0, -0.5);
+}
+Solid lower_book(std::size_t n) {
+  return transformed(half_book(n, -2, -0.4), Transform::rotation_degrees({0, 1, 0}, 90));
+}
+
 // One stands on the floor, and the line of the other one, in the body below it, crosses its line.
 TEST(Growth, BooleansOfBooksWhoseLinesCrossInAFloor) {
-  const auto half_book = [](std::size_t n, double y, double low) {
-    const Solid half = boolean(Solid::from_mesh(book(2 * n, 1e-4, 1e-4)),
-                               block({-2, y, -1}, {2, y + 2, 3}), Operation::intersect);
-    return transformed(half, Transform::translation({0, 0, low}));
-  };
-  const auto across = [&](std::size_t n) {
+  const auto across = [](std::size_t n) {
     const Solid floor = block({-2, -2, -2}, {2, 0, 2}),
-                books = boolean(
-                    half_book(n, 0, -0.5),
-                    transformed(half_book(n, -2, -0.4), Transform::rotation_degrees({0, 1, 0}, 90)),
-                    Operation::unite);
+                books = boolean(upper_book(n), lower_book(n), Operation::unite);
     return [=] { boolean(floor, books, Operation::subtract); };
   };
   EXPECT_LT(growth(across, 100), n_log_n);
+}
+
+// All edges along one line run through one point with all those along the other one.
+TEST(Growth, BooleansOfBooksOnBothSidesOfThePlaneOfTheirLines) {
+  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract}) {
+    const auto across = [&](std::size_t n) {
+      const Solid a = upper_book(n), b = lower_book(n);
+      return [=] { boolean(a, b, operation); };
+    };
+    EXPECT_LT(growth(across, 100), n_log_n);
+  }
 }
 
 // The plane has the line in it, and nothing else but what crosses it there.

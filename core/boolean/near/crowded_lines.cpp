@@ -22,7 +22,9 @@ CrowdedLines::CrowdedLines(const SolidData& a, const SolidData& b,
   for (const Operand s : both_operands) {
     for (const std::uint32_t slot : slots[s]) add_faces(s, slot);
   }
-  find_lines(Kernel(geometry_));
+  Kernel kernel(geometry_);
+  find_lines(kernel);
+  if (lines_.count() > 1) find_crossings(kernel);
 }
 
 void CrowdedLines::add_faces(Operand s, std::uint32_t slot) {
@@ -53,6 +55,33 @@ void CrowdedLines::find_lines(const Kernel& kernel) {
     });
 }
 
+void CrowdedLines::find_crossings(Kernel& kernel) {
+  std::vector<PlanesOfLine> planes(lines_.count());
+  for (const Face& face : faces_) {
+    if (face.line == none || planes[face.line].second.valid() || !has_edge_on_line(face)) continue;
+    auto& [first, second] = planes[face.line];
+    const PlaneId plane = load_plane(face);
+    kernel.refresh();
+    if (!first.valid())
+      first = plane;
+    else if (!kernel.parallel(first, plane))
+      second = plane;
+  }
+  crossings_ = line_crossings(kernel, lines_, planes);
+}
+
+bool CrowdedLines::has_edge_on_line(const Face& face) const {
+  return std::ranges::any_of(sides(face), [&](const Side& side) {
+    return is_on(side.from, face.line) && is_on(side.to, face.line);
+  });
+}
+
+PlaneId CrowdedLines::load_plane(const Face& face) {
+  constexpr std::size_t few = 8;
+  const Block& of = block(face);
+  return GeometryLoader(of.geometry(), geometry_, few).plane(of.brep().plane[face.face]);
+}
+
 bool CrowdedLines::is_on(PointId p, std::uint32_t line) const {
   return std::ranges::any_of(lines_.of_point(p.value()),
                              [&](const SpineLines::On& on) { return on.line == line; });
@@ -60,29 +89,66 @@ bool CrowdedLines::is_on(PointId p, std::uint32_t line) const {
 
 FacePairs CrowdedLines::pairs() {
   FacePairs pairs;
-  add_pairs_off_lines(pairs);
+  FacesAtCrossings at_crossings(crossings_, lines_.count());
+  add_pairs_elsewhere(at_crossings, pairs);
   std::vector<PerOperand<std::vector<std::uint32_t>>> at(lines_.count());
   for (std::uint32_t f = 0; f < faces_.size(); ++f)
     if (faces_[f].line != none) at[faces_[f].line][faces_[f].solid].push_back(f);
   for (std::uint32_t line = 0; line < at.size(); ++line) add_pairs_along(line, at[line], pairs);
+  for (std::uint32_t c = 0; c < crossings_.size(); ++c)
+    for (const unsigned k : {0u, 1u}) add_pairs_at(crossings_[c], at_crossings.at(c), k, pairs);
   return pairs;
 }
 
-// Of faces that are not both at one line.
-void CrowdedLines::add_pairs_off_lines(FacePairs& pairs) {
+// Of faces that are not both at one line, and not both at a crossing. Adds those at crossings.
+void CrowdedLines::add_pairs_elsewhere(FacesAtCrossings& at_crossings, FacePairs& pairs) {
   PerOperand<std::vector<Box>> boxes;
-  PerOperand<std::vector<std::uint32_t>> lines;
-  for (const Face& f : faces_) {
-    boxes[f.solid].push_back(face_box(block(f).brep(), block(f).geometry(), f.face));
-    lines[f.solid].push_back(f.line);
+  PerOperand<std::vector<std::uint32_t>> groups;
+  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+    const Face& face = faces_[f];
+    const Box box = face_box(block(face).brep(), block(face).geometry(), face.face);
+    boxes[face.solid].push_back(box);
+    groups[face.solid].push_back(
+        face.line == none ? BoxTree::no_group : at_crossings.add(face.solid, f, face.line, box));
   }
   const auto first_of_b = static_cast<std::uint32_t>(boxes[Operand::a].size());
   BoxTree::overlaps(
-      BoxTree(boxes[Operand::a], lines[Operand::a]), BoxTree(boxes[Operand::b], lines[Operand::b]),
-      [&](std::uint32_t f, std::uint32_t g) {
-        if (!are_apart(f, first_of_b + g)) pairs.push_back({in_solid(f), in_solid(first_of_b + g)});
-      },
-      [](std::uint32_t line, std::uint32_t other) { return line == other; });
+      BoxTree(boxes[Operand::a], groups[Operand::a]),
+      BoxTree(boxes[Operand::b], groups[Operand::b]),
+      [&](std::uint32_t f, std::uint32_t g) { add_unless_apart(f, first_of_b + g, pairs); },
+      [&](std::uint32_t group, std::uint32_t other) {
+        return at_crossings.are_at_one_place(group, other);
+      });
+}
+
+// Of faces of A at one line, and of B at the other one.
+void CrowdedLines::add_pairs_at(const LineCrossing& crossing,
+                                const FacesAtCrossings::OfLines& faces, unsigned line_of_a,
+                                FacePairs& pairs) {
+  const unsigned line_of_b = 1 - line_of_a;
+  const std::vector<std::uint32_t>&of_a = faces[line_of_a][Operand::a],
+        &of_b = faces[line_of_b][Operand::b];
+  if (of_a.empty() || of_b.empty()) return;
+  BoxTree::overlaps(
+      BoxTree(boxes_at(crossing, line_of_a, of_a)), BoxTree(boxes_at(crossing, line_of_b, of_b)),
+      [&](std::uint32_t i, std::uint32_t j) { add_unless_apart(of_a[i], of_b[j], pairs); });
+}
+
+std::vector<Box> CrowdedLines::boxes_at(const LineCrossing& crossing, unsigned own,
+                                        std::span<const std::uint32_t> faces) const {
+  std::vector<Box> boxes;
+  for (const std::uint32_t f : faces) {
+    LeavingCrossing leaving(lines_, crossing, own);
+    for (const Side& side : sides(faces_[f]))
+      leaving.add_corner(at(side.from),
+                         {is_on(side.from, crossing.line[0]), is_on(side.from, crossing.line[1])});
+    boxes.push_back(leaving.box());
+  }
+  return boxes;
+}
+
+void CrowdedLines::add_unless_apart(std::uint32_t f, std::uint32_t g, FacePairs& pairs) {
+  if (!are_apart(f, g)) pairs.push_back({in_solid(f), in_solid(g)});
 }
 
 bool CrowdedLines::are_apart(std::uint32_t f, std::uint32_t g) {

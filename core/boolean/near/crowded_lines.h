@@ -4,14 +4,18 @@
 // Around such a line all boxes overlap, and each edge ends within all others. But two faces that
 // leave the line in different directions meet in nothing but the line, and what both solids have on
 // it is a row, whether pairs of faces have found it or not (reduction/rows_on_lines.h). So such
-// pairs are left out.
+// pairs are left out. So are pairs of faces at two such lines that meet in nothing but the crossing
+// of the lines (line_crossings.h): no segment ends there for them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "boolean/near/faces_at_crossings.h"
+#include "boolean/near/line_crossings.h"
 #include "boolean/reduction/reduction.h"
 #include "search/hubs.h"
 #include "search/hull.h"
@@ -56,9 +60,17 @@ class CrowdedLines {
 
   void add_faces(Operand s, std::uint32_t slot);
   void find_lines(const Kernel& kernel);
+  void find_crossings(Kernel& kernel);
+  bool has_edge_on_line(const Face& face) const;
+  PlaneId load_plane(const Face& face);
   bool is_on(PointId p, std::uint32_t line) const;
 
-  void add_pairs_off_lines(FacePairs& pairs);
+  void add_pairs_elsewhere(FacesAtCrossings& at_crossings, FacePairs& pairs);
+  void add_pairs_at(const LineCrossing& crossing, const FacesAtCrossings::OfLines& faces,
+                    unsigned line_of_a, FacePairs& pairs);
+  std::vector<Box> boxes_at(const LineCrossing& crossing, unsigned own,
+                            std::span<const std::uint32_t> faces) const;
+  void add_unless_apart(std::uint32_t f, std::uint32_t g, FacePairs& pairs);
   void add_pairs_along(std::uint32_t line, const PerOperand<std::vector<std::uint32_t>>& faces,
                        FacePairs& pairs) const;
   void mark_vertices(Workspace& w) const;
@@ -82,6 +94,7 @@ class CrowdedLines {
   std::vector<Face> faces_;  // those of A first
   std::vector<Side> sides_;  // by face
   SpineLines lines_;
+  std::vector<LineCrossing> crossings_;
   std::vector<std::optional<Hull>> hulls_;  // of faces that were asked for
 };
 

@@ -24,8 +24,11 @@ Table<PlaceId, ContactId> only_contacts(const Contacts& found) {
 }  // namespace
 
 PiercedFaces::PiercedFaces(const Workspace& w, const Contacts& found) {
-  // Where one vertex or edge was tested for many, contacts do not tell all that meets.
-  const auto tells_all = [](const Patch& patch) { return !patch.tested.any(); };
+  // Where one vertex or edge was tested for many, or pairs were left out, contacts do not tell all
+  // that meets.
+  const auto tells_all = [&](const Patch& patch) {
+    return !patch.tested.any() && w.crowded_lines.empty();
+  };
   if (std::all_of(w.patch.begin(), w.patch.end(), tells_all)) {
     only_ = only_contacts(found);
     for (const Operand s : both_operands) group(found, s, w.patch[s].brep.face_count());

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 
 #include "boolean/reduction/reduction.h"
 
@@ -14,9 +15,13 @@ class PlacesByPoint {
     for (const PlaceId place : found.places.ids()) add(place);
   }
 
-  PlaceId find_or_add(PointId point) {
+  std::optional<PlaceId> find(PointId point) const {
     for (auto [at, last] = by_position_.equal_range(position(point)); at != last; ++at)
       if (w_.tests().same_point(found_.point(at->second), point)) return at->second;
+    return {};
+  }
+  PlaceId find_or_add(PointId point) {
+    if (const auto known = find(point)) return *known;
     const PlaceId place = found_.places.add(point);
     add(place);
     return place;

@@ -6,6 +6,7 @@
 #include "boolean/reduction/edges_on_lines.h"
 #include "boolean/reduction/faces_on_lines.h"
 #include "boolean/reduction/met_on_lines.h"
+#include "boolean/reduction/points_on_lines.h"
 #include "boolean/reduction/row_maker.h"
 #include "search/edges_by_line.h"
 
@@ -28,6 +29,7 @@ class RowsMaker {
     PlacesByPoint places(w_, found_);
     for (std::uint32_t line = 0; line < lines_.size(); ++line)
       if (lines_[line].is_swept) make_row(line, places);
+    share_points_on_lines(w_, found_, places);
   }
 
  private:
