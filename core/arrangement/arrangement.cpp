@@ -22,7 +22,8 @@ class ManySolids {
         kernel_(geometry_),
         tree_(facets_, kernel_) {
     steering_.step(0.1);
-    faces_ = arrange(facets_, tree_, Counting::oriented, geometry_, kernel_, steering_);
+    faces_ =
+        arrange(facets_, tree_, Counting::oriented, Crowds::divided, geometry_, kernel_, steering_);
     cells_ =
         find_cells(faces_, facets_, tree_, Counting::oriented, InsideOut::keep, kernel_, steering_);
     for (const Winding& winding : cells_.winding)

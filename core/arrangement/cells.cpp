@@ -24,6 +24,7 @@ class EdgeFinder {
 
   void run() {
     find_faces();
+    cells_.rows = find_rows(faces_, cells_.face_of, kernel_);
     cells_.mate.assign(faces_.polygons.corners.size(), none);
     constexpr std::uint32_t block = 4096;
     std::vector<Found> found((buckets_.count() + block - 1) / block);
@@ -59,7 +60,8 @@ class EdgeFinder {
     });
   }
 
-  void match_bucket(PointId low, std::span<LineEntry> bucket, Found& found) {
+  void match_bucket(PointId low, std::span<LineEntry> all, Found& found) {
+    const std::span<LineEntry> bucket = not_in_rows(all);
     std::sort(bucket.begin(), bucket.end(), [](const LineEntry& a, const LineEntry& b) {
       return a.high != b.high ? a.high < b.high : a.corner < b.corner;
     });
@@ -73,6 +75,13 @@ class EdgeFinder {
         add_fan(low, entries, found);
       }
     }
+  }
+  std::span<LineEntry> not_in_rows(std::span<LineEntry> entries) const {
+    if (faces_.row.empty()) return entries;
+    const auto end = std::remove_if(entries.begin(), entries.end(), [&](const LineEntry& e) {
+      return faces_.row[e.corner] != none;
+    });
+    return entries.first(static_cast<std::size_t>(end - entries.begin()));
   }
   bool same_step(std::span<const LineEntry> entries) const {
     return faces_.step_of[cells_.face_of[entries[0].corner]] ==
@@ -168,24 +177,37 @@ class CellFinder {
   }
 
   // A side of a patch: 2p is what is before it, 2p + 1 what is behind it.
-  std::uint32_t side_after(const EdgeFan::Side& s) const {
+  template <class Side>
+  std::uint32_t side_after(const Side& s) const {
     return 2 * patch(s) + (s.forward ? 0 : 1);
   }
-  std::uint32_t side_before(const EdgeFan::Side& s) const {
+  template <class Side>
+  std::uint32_t side_before(const Side& s) const {
     return 2 * patch(s) + (s.forward ? 1 : 0);
   }
-  std::uint32_t patch(const EdgeFan::Side& s) const { return patch_of_[cells_.face_of[s.corner]]; }
+  template <class Side>
+  std::uint32_t patch(const Side& s) const {
+    return patch_of_[cells_.face_of[s.corner]];
+  }
 
   void unite_sides() {
     DisjointSets sides(2 * patch_count()), components(patch_count());
+    const auto unite = [&](const auto& side, const auto& next) {
+      sides.unite(side_after(side), side_before(next));
+      components.unite(patch(side), patch(next));
+    };
     for (const EdgeFan& fan : cells_.fans) {
       const auto around = cells_.of(fan);
-      for (std::size_t i = 0; i < around.size(); ++i) {
-        const EdgeFan::Side &s = around[i], &next = around[i + 1 < around.size() ? i + 1 : 0];
-        sides.unite(side_after(s), side_before(next));
-        components.unite(patch(s), patch(next));
-      }
+      for (std::size_t i = 0; i < around.size(); ++i)
+        unite(around[i], around[i + 1 < around.size() ? i + 1 : 0]);
     }
+    for (const EdgeRow& row : cells_.rows)
+      for (const Neighbours& n : neighbours(row, std::vector<std::uint8_t>(row.sides.size(), 1))) {
+        const EdgeRow::Side &side = row.sides[n.side], &next = row.sides[n.next];
+        if (n.side != n.next && side.direction == next.direction)
+          throw InternalError("faces that lie on each other were not found to be one");
+        unite(side, next);
+      }
     cell_of_.resize(2 * patch_count());
     for (std::uint32_t s = 0; s < cell_of_.size(); ++s) cell_of_[s] = sides.first(s);
     component_of_.resize(patch_count());

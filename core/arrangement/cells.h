@@ -1,7 +1,7 @@
 // The cells into which the faces of an arrangement divide space, with their winding numbers.
 #pragma once
 
-#include "arrangement/sub_faces.h"
+#include "arrangement/edge_rows.h"
 
 namespace sectile::arrangement {
 
@@ -19,6 +19,7 @@ struct Cells {
   std::vector<std::uint32_t> mate;
   std::vector<EdgeFan> fans;
   std::vector<EdgeFan::Side> sides;
+  std::vector<EdgeRow> rows;           ///< of the edges that belong to rows; they have no mates
   std::vector<std::uint32_t> face_of;  ///< per corner: the sub-face
 
   /// Per sub-face: the cell that its normal points to, and the one behind it.

@@ -7,14 +7,19 @@
 namespace sectile::arrangement {
 namespace {
 
-HubFans fans_of(const Facets& facets, const Kernel& kernel) {
+enum class Lines { between_hubs, crowded };
+
+HubFans fans_of(const Facets& facets, const Kernel& kernel, Lines lines) {
   std::vector<std::uint32_t> all(facets.face_count());
   std::iota(all.begin(), all.end(), 0u);
   const auto for_each_corner = [&](std::uint32_t f, const auto& visit) {
     for_each_outer_corner(facets, f, visit);
   };
   HubFans fans(all, all.size(), kernel.geometry().positions.size(), for_each_corner);
-  fans.join_along_spines(all, kernel, for_each_corner);
+  if (lines == Lines::between_hubs)
+    fans.join_along_spines(all, kernel, for_each_corner);
+  else
+    fans.join_along_crowded_lines(all, kernel, for_each_corner);
   return fans;
 }
 
@@ -34,7 +39,11 @@ std::vector<Box> boxes_of(const Facets& facets, const Geometry& geometry) {
 }  // namespace
 
 FacetTree::FacetTree(const Facets& facets, const Kernel& kernel)
-    : FacetTree(facets, kernel.geometry(), fans_of(facets, kernel)) {}
+    : FacetTree(facets, kernel.geometry(), fans_of(facets, kernel, Lines::between_hubs)) {}
+
+FacetTree FacetTree::along_crowded_lines(const Facets& facets, const Kernel& kernel) {
+  return {facets, kernel.geometry(), fans_of(facets, kernel, Lines::crowded)};
+}
 
 FacetTree::FacetTree(const Facets& facets, const Geometry& geometry, HubFans fans)
     : BoxTree(boxes_of(facets, geometry), fans.of_polygon()), fans_(std::move(fans)) {}

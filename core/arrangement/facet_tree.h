@@ -15,6 +15,8 @@ void for_each_outer_corner(const Facets& facets, std::uint32_t face, const Visit
 class FacetTree : public BoxTree {
  public:
   FacetTree(const Facets& facets, const Kernel& kernel);
+  /// With a fan for each line along which very many edges run, whatever their ends are.
+  static FacetTree along_crowded_lines(const Facets& facets, const Kernel& kernel);
 
   /// Of the faces: the groups of the tree.
   const HubFans& fans() const { return fans_; }

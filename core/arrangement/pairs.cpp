@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <limits>
 #include <optional>
+#include <utility>
 
 #include "boolean/collect.h"
 #include "numbers/threshold.h"
@@ -209,10 +212,78 @@ std::optional<OrientedTree> oriented_tree_of(const Facets& facets, const BoxTree
   return OrientedTree(tree, for_each_corner);
 }
 
-void add(const PairTest& test, std::uint32_t f, std::uint32_t g, std::vector<FacePair>& pairs) {
-  if (f > g) std::swap(f, g);
-  if (const auto how = test(f, g)) pairs.push_back({f, g, *how});
-}
+// There are more pairs than was expected.
+struct Crowded {};
+
+class PairFinder {
+ public:
+  PairFinder(const Facets& facets, const std::vector<std::uint8_t>& convex, const Kernel& kernel,
+             const Steering& steering)
+      : facets_(facets), kernel_(kernel), steering_(steering), test_(facets, convex, kernel) {}
+
+  /// Throws Crowded if there are more than so many.
+  std::vector<FacePair> run(const FacetTree& tree, Crowds crowds, std::size_t most) {
+    most_ = most;
+    const std::optional<OrientedTree> oriented =
+        oriented_tree_of(facets_, tree, kernel_.geometry());
+    const OrientedTree* boxes = oriented ? &*oriented : nullptr;
+    const OrientedApart apart(tree, boxes, tree, boxes);
+    const auto parts = tree.self_parts(512);
+    const auto by_boxes = collect<Found>(parts.size(), 1, [&](std::size_t i, Found& out) {
+      steering_.check();
+      tree.self_overlaps(
+          parts[i], [&](std::uint32_t f, std::uint32_t g) { add(f, g, out); }, apart);
+      count(out);
+    });
+    const auto by_directions = collect<Found>(
+        tree.fans().count(), 1,
+        [&](std::size_t i, Found& out) { add_pairs_of_fan(tree.fans(), i, crowds, out); });
+    std::vector<FacePair> pairs;
+    for (const auto* all : {&by_boxes, &by_directions})
+      for (const Found& found : *all) append(pairs, found.pairs);
+    parallel::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+  }
+
+ private:
+  struct Found {
+    std::vector<FacePair> pairs;
+    std::size_t tests = 0;  // that were not counted yet
+  };
+
+  // Around a corner, or a line of many edges, only boxes of directions tell; and on the line, if
+  // edges are to be divided, which corners of some are within edges of others.
+  void add_pairs_of_fan(const HubFans& fans, std::size_t fan, Crowds crowds, Found& out) {
+    steering_.check();
+    const auto for_each_corner = [&](std::uint32_t f, const auto& visit) {
+      for_each_outer_corner(facets_, f, visit);
+    };
+    const auto add_pair = [&](std::uint32_t f, std::uint32_t g) { add(f, g, out); };
+    fans.for_each_pair(fan, kernel_.geometry(), for_each_corner, add_pair);
+    if (crowds == Crowds::divided)
+      fans.for_each_corner_within_edge(fan, kernel_, for_each_corner, add_pair);
+    count(out);
+  }
+
+  void add(std::uint32_t f, std::uint32_t g, Found& out) {
+    constexpr std::size_t counted_at_a_time = 256;
+    if (++out.tests == counted_at_a_time) count(out);
+    if (f > g) std::swap(f, g);
+    if (const auto how = test_(f, g)) out.pairs.push_back({f, g, *how});
+  }
+
+  void count(Found& out) {
+    if ((tests_ += std::exchange(out.tests, 0)) > most_) throw Crowded();
+  }
+
+  const Facets& facets_;
+  const Kernel& kernel_;
+  const Steering& steering_;
+  const PairTest test_;
+  std::atomic<std::size_t> tests_{0};
+  std::size_t most_ = 0;
+};
 
 }  // namespace
 
@@ -239,37 +310,29 @@ std::vector<std::uint8_t> find_convex(const Facets& facets, const Kernel& kernel
   return convex;
 }
 
-std::vector<FacePair> find_pairs(const Facets& facets, const FacetTree& tree,
-                                 const std::vector<std::uint8_t>& convex, const Kernel& kernel,
-                                 const Steering& steering) {
-  const PairTest test(facets, convex, kernel);
-  const std::optional<OrientedTree> oriented = oriented_tree_of(facets, tree, kernel.geometry());
-  const OrientedTree* boxes = oriented ? &*oriented : nullptr;
-  const OrientedApart apart(tree, boxes, tree, boxes);
-  const auto parts = tree.self_parts(512);
-  using Found = std::vector<FacePair>;
-  const auto by_boxes = collect<Found>(parts.size(), 1, [&](std::size_t i, Found& out) {
-    steering.check();
-    tree.self_overlaps(
-        parts[i], [&](std::uint32_t f, std::uint32_t g) { add(test, f, g, out); }, apart);
-  });
-  // Around a corner, or a line of many edges, only boxes of directions tell; and on the line, which
-  // corners of some are within edges of others.
-  const auto by_directions = collect<Found>(tree.fans().count(), 1, [&](std::size_t i, Found& out) {
-    steering.check();
-    const auto for_each_corner = [&](std::uint32_t f, const auto& visit) {
-      for_each_outer_corner(facets, f, visit);
-    };
-    const auto add_pair = [&](std::uint32_t f, std::uint32_t g) { add(test, f, g, out); };
-    tree.fans().for_each_pair(i, kernel.geometry(), for_each_corner, add_pair);
-    tree.fans().for_each_corner_within_edge(i, kernel, for_each_corner, add_pair);
-  });
-  std::vector<FacePair> pairs;
-  for (const auto* all : {&by_boxes, &by_directions})
-    for (const Found& found : *all) append(pairs, found);
-  parallel::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
+Pairs find_pairs(const Facets& facets, const FacetTree& tree,
+                 const std::vector<std::uint8_t>& convex, const Kernel& kernel, Crowds crowds,
+                 const Steering& steering) {
+  constexpr std::size_t many_of_each = threshold(16, 0);
+  constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+  const auto find = [&](const FacetTree& among, Crowds how, std::size_t most) {
+    return PairFinder(facets, convex, kernel, steering).run(among, how, most);
+  };
+  if (crowds == Crowds::in_rows) {
+    try {
+      return {find(tree, Crowds::divided, many_of_each * facets.face_count()), {}};
+    } catch (const Crowded&) {
+    }
+    const FacetTree along_lines = FacetTree::along_crowded_lines(facets, kernel);
+    const SpineLines& lines = along_lines.fans().lines();
+    if (lines.count() > 0) {
+      Pairs found{find(along_lines, Crowds::in_rows, no_limit), {}};
+      for (std::uint32_t line = 0; line < lines.count(); ++line)
+        found.crowded_lines.push_back(lines.extent(line));
+      return found;
+    }
+  }
+  return {find(tree, Crowds::divided, no_limit), {}};
 }
 
 }  // namespace sectile::arrangement

@@ -5,6 +5,7 @@
 
 #include "arrangement/facet_tree.h"
 #include "arrangement/steering.h"
+#include "search/edges_by_line.h"
 
 namespace sectile::arrangement {
 
@@ -23,9 +24,23 @@ struct FacePair {
 /// Is the face one loop without a turn to the right or back?
 std::vector<std::uint8_t> find_convex(const Facets& facets, const Kernel& kernel);
 
-/// All pairs that may meet, in order.
-std::vector<FacePair> find_pairs(const Facets& facets, const FacetTree& tree,
-                                 const std::vector<std::uint8_t>& convex, const Kernel& kernel,
-                                 const Steering& steering);
+/// What becomes of the edges on a line along which very many run, all with ends of their own.
+enum class Crowds {
+  divided,  ///< they are divided where others end
+  in_rows   ///< they stay whole (row_lines.h)
+};
+
+struct Pairs {
+  std::vector<FacePair> pairs;  ///< in order
+  /// Lines along which very many edges run, between two points. Of faces that meet in corners and
+  /// edges on such a line only, not all are in pairs.
+  std::vector<PointPair> crowded_lines;
+};
+
+/// All pairs that may meet. Crowded lines are looked for if they may stay whole, and there are many
+/// pairs.
+Pairs find_pairs(const Facets& facets, const FacetTree& tree,
+                 const std::vector<std::uint8_t>& convex, const Kernel& kernel, Crowds crowds,
+                 const Steering& steering);
 
 }  // namespace sectile::arrangement

@@ -12,17 +12,20 @@
 namespace sectile::arrangement {
 
 PlanePieces::PlanePieces(const Facets& facets, const EdgeLines& lines, const Traces& traces,
-                         std::span<const std::uint32_t> faces, const Kernel& kernel)
+                         const RowLines& rows, std::span<const std::uint32_t> faces,
+                         const Kernel& kernel)
     : plane_(facets.plane[faces[0]]) {
   std::vector<Piece> left;
   std::vector<PointId> ends;
   for (const std::uint32_t f : faces) {
     for (std::uint32_t c = facets.begin(f); c < facets.end(f); ++c) {
-      pieces_.push_back({facets.from(c), facets.to(c), lines.across(c), c});
+      pieces_.push_back({facets.from(c), facets.to(c), lines.across(c), c,
+                         rows.of(facets.from(c), facets.to(c))});
       ends.push_back(facets.from(c));
     }
     for (const Trace& t : traces.of(f)) {
-      left.push_back({std::min(t.from, t.to), std::max(t.from, t.to), t.across, none});
+      left.push_back(
+          {std::min(t.from, t.to), std::max(t.from, t.to), t.across, none, rows.of(t.from, t.to)});
       ends.insert(ends.end(), {t.from, t.to});
     }
   }
@@ -34,8 +37,10 @@ PlanePieces::PlanePieces(const Facets& facets, const EdgeLines& lines, const Tra
       std::unique(left.begin(), left.end(),
                   [](const Piece& a, const Piece& b) { return a.from == b.from && a.to == b.to; }),
       left.end());
+  const std::vector<Piece> whole = take_rows(kernel, left);
   divide_rows(kernel, left);
   pieces_.insert(pieces_.end(), left.begin(), left.end());
+  pieces_.insert(pieces_.end(), whole.begin(), whole.end());
   std::sort(ends.begin(), ends.end());
   std::vector<PointId> points;
   for (const std::uint32_t f : faces)
@@ -55,6 +60,8 @@ void PlanePieces::test(const Kernel& kernel, const EdgeLines& lines, std::uint32
   };
   const bool has_length_a = a.across.valid(), has_length_b = b.across.valid();
   if (!has_length_a && !has_length_b) return;
+  // What stays whole is divided by other pieces only.
+  if ((a.row != none && !has_length_b) || (b.row != none && !has_length_a)) return;
   Sign a_from = Sign::zero, a_to = Sign::zero, b_from = Sign::zero, b_to = Sign::zero;
   if (has_length_b) {
     a_from = side(a.from, b);
@@ -121,7 +128,7 @@ void PlanePieces::divide(const Kernel& kernel, std::span<const PointId> made,
   struct Part {
     PointId low, high;
     PlaneId across;
-    std::uint32_t corner;
+    std::uint32_t corner, row;
     bool forward;
   };
   std::vector<Part> parts;
@@ -147,7 +154,7 @@ void PlanePieces::divide(const Kernel& kernel, std::span<const PointId> made,
     for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
       const bool forward = stops[k] < stops[k + 1];
       parts.push_back({std::min(stops[k], stops[k + 1]), std::max(stops[k], stops[k + 1]),
-                       piece.across, piece.corner, forward});
+                       piece.across, piece.corner, piece.row, forward});
     }
   }
   std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
@@ -155,8 +162,12 @@ void PlanePieces::divide(const Kernel& kernel, std::span<const PointId> made,
            std::tie(b.low, b.high, b.corner, b.across);
   });
   for (std::size_t from = 0, to; from < parts.size(); from = to) {
-    PlaneEdge edge{parts[from].low, parts[from].high, parts[from].across,
-                   static_cast<std::uint32_t>(borders_.size()), 0};
+    PlaneEdge edge{parts[from].low,
+                   parts[from].high,
+                   parts[from].across,
+                   static_cast<std::uint32_t>(borders_.size()),
+                   0,
+                   parts[from].row};
     for (to = from; to < parts.size() && parts[to].low == edge.low && parts[to].high == edge.high;
          ++to)
       if (parts[to].corner != none)

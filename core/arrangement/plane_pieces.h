@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "arrangement/traces.h"
+#include "arrangement/row_lines.h"
 
 namespace sectile::arrangement {
 
@@ -12,6 +12,7 @@ struct Piece {
   PointId from, to;
   PlaneId across;
   std::uint32_t corner = none;
+  std::uint32_t row = none;  ///< of the lines along which edges stay whole, the one on which it is
 };
 
 /// Part of a piece, between two places and without one within it.
@@ -25,6 +26,7 @@ struct PlaneEdge {
     friend auto operator<=>(const Border&, const Border&) = default;
   };
   std::uint32_t first_border = 0, border_end = 0;
+  std::uint32_t row = none;
 };
 
 /// The pieces of one group of faces that overlap in one plane.
@@ -32,7 +34,7 @@ class PlanePieces {
  public:
   PlanePieces() = default;
   PlanePieces(const Facets& facets, const EdgeLines& lines, const Traces& traces,
-              std::span<const std::uint32_t> faces, const Kernel& kernel);
+              const RowLines& rows, std::span<const std::uint32_t> faces, const Kernel& kernel);
 
   /// Finds where pieces cross, and which ends and points lie within pieces.
   void find_crossings(const Kernel& kernel, const EdgeLines& lines);

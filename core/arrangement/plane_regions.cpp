@@ -262,6 +262,7 @@ class RegionFinder {
     do {
       result.corners.push_back(points_[from(h)]);
       result.across.push_back(edges_[h / 2].across);
+      result.row.push_back(edges_[h / 2].row);
       h = next(h);
     } while (h != first);
     result.loop_end.push_back(static_cast<std::uint32_t>(result.corners.size()));

@@ -9,7 +9,8 @@ namespace sectile::arrangement {
 /// run counter-clockwise.
 struct Regions {
   std::vector<PointId> corners;
-  std::vector<PlaneId> across;  ///< per corner: a plane through the edge that leaves it
+  std::vector<PlaneId> across;     ///< per corner: a plane through the edge that leaves it
+  std::vector<std::uint32_t> row;  ///< per corner: that of the edge
   std::vector<std::uint32_t> loop_end;
   std::vector<std::uint32_t> region_end;  ///< end of each region's loops, the outer one first
   std::vector<std::uint32_t> cover_end;

@@ -1,6 +1,8 @@
 #include "arrangement/rows_of_traces.h"
 
 #include <algorithm>
+#include <span>
+#include <tuple>
 
 #include "numbers/threshold.h"
 #include "search/edges_by_line.h"
@@ -41,7 +43,44 @@ void add_stretches(const Kernel& kernel, std::vector<Piece> row, std::vector<Pie
   }
 }
 
+// Of one row.
+void add_joined(const Kernel& kernel, std::span<const Piece> row, std::vector<Piece>& result) {
+  const PlacesOnLine places(kernel, ends_of({row.begin(), row.end()}));
+  struct Stretch {
+    std::size_t low, high;
+    PlaneId across;
+  };
+  std::vector<Stretch> stretches;
+  for (const Piece& t : row) {
+    const auto [low, high] = std::minmax({places.of(t.from), places.of(t.to)});
+    stretches.push_back({low, high, t.across});
+  }
+  std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) {
+    return std::tie(a.low, a.high, a.across) < std::tie(b.low, b.high, b.across);
+  });
+  for (std::size_t first = 0, last; first < stretches.size(); first = last) {
+    std::size_t high = stretches[first].high;
+    for (last = first + 1; last < stretches.size() && stretches[last].low <= high; ++last)
+      high = std::max(high, stretches[last].high);
+    const auto [from, to] = std::minmax({places.at(stretches[first].low), places.at(high)});
+    result.push_back({from, to, stretches[first].across, none, row.front().row});
+  }
+}
+
 }  // namespace
+
+std::vector<Piece> take_rows(const Kernel& kernel, std::vector<Piece>& traces) {
+  const auto first = std::stable_partition(traces.begin(), traces.end(),
+                                           [](const Piece& t) { return t.row == none; });
+  std::vector<Piece> rows(first, traces.end()), joined;
+  traces.erase(first, traces.end());
+  std::ranges::stable_sort(rows, {}, &Piece::row);
+  for (std::size_t from = 0, to; from < rows.size(); from = to) {
+    for (to = from + 1; to < rows.size() && rows[to].row == rows[from].row;) ++to;
+    add_joined(kernel, std::span<const Piece>(rows).subspan(from, to - from), joined);
+  }
+  return joined;
+}
 
 void divide_rows(const Kernel& kernel, std::vector<Piece>& traces) {
   if (traces.size() < many) return;

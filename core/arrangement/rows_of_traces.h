@@ -12,4 +12,8 @@ namespace sectile::arrangement {
 /// smaller end first.
 void divide_rows(const Kernel& kernel, std::vector<Piece>& traces);
 
+/// Takes out those on lines along which edges stay whole, and returns them, as one where they
+/// overlap or touch.
+std::vector<Piece> take_rows(const Kernel& kernel, std::vector<Piece>& traces);
+
 }  // namespace sectile::arrangement

@@ -1,5 +1,8 @@
 #include "arrangement/solids.h"
 
+#include <algorithm>
+
+#include "arrangement/row_parts.h"
 #include "boolean/cleanup/cleanup.h"
 #include "import/brep_builder.h"
 #include "parallel/parallel.h"
@@ -23,6 +26,8 @@ class Builder {
         steering_(steering),
         data_(std::make_shared<SolidData>()),
         copy_(geometry, data_->geometry(), geometry.positions.size()),
+        parts_(row_parts(cells, in_solid)),
+        made_part_(parts_.size() / 2, none),
         made_(faces.polygons.corners.size(), none) {}
 
   std::shared_ptr<SolidData> run() {
@@ -62,18 +67,47 @@ class Builder {
       const Polygons& from = faces_.polygons;
       for (std::uint32_t l = from.first_loop(f); l < from.face_end[f]; ++l) {
         const std::uint32_t begin = from.loop_begin(l), end = from.loop_end[l], size = end - begin;
-        const auto first = static_cast<std::uint32_t>(result_.corners.size());
         for (std::uint32_t k = 0; k < size; ++k) {
           // Turned, the half-edge from i to i + 1 leaves i + 1.
           const std::uint32_t leaves = turned ? begin + (size - k) % size : begin + k;
           const std::uint32_t old = turned ? begin + (size - k - 1) : leaves;
-          result_.corners.push_back(copy_.point(from.corners[leaves]));
-          made_[old] = first + k;
-          old_.push_back(old);
+          made_[old] = static_cast<std::uint32_t>(result_.corners.size());
+          if (is_in_row(old))
+            add_parts(old, turned);
+          else
+            add_corner(from.corners[leaves], old);
         }
         result_.loop_end.push_back(static_cast<std::uint32_t>(result_.corners.size()));
       }
       choose_plane(f, turned);
+    }
+  }
+
+  void add_corner(PointId point, std::uint32_t old) {
+    result_.corners.push_back(copy_.point(point));
+    old_.push_back(old);
+  }
+
+  bool is_in_row(std::uint32_t old) const { return !faces_.row.empty() && faces_.row[old] != none; }
+
+  // Along the half-edge, which is turned or not.
+  void add_parts(std::uint32_t old, bool turned) {
+    const auto first = std::ranges::lower_bound(parts_, old, {}, &RowPart::corner),
+               last = std::ranges::upper_bound(parts_, old, {}, &RowPart::corner);
+    if (first == last) throw InternalError("an edge of the result has only one face");
+    const bool along = first->forward != turned;
+    for (auto part = first; part != last; ++part)
+      if (part != first && part->from != std::prev(part)->to)
+        throw InternalError("a part of an edge of the result has only one face");
+    for (std::ptrdiff_t i = 0; i < last - first; ++i) {
+      const RowPart& part = *(along ? first + i : last - 1 - i);
+      const auto made = static_cast<std::uint32_t>(result_.corners.size());
+      add_corner(along ? part.begin : part.end, old);
+      std::uint32_t& other = made_part_[part.wedge];
+      if (other == none)
+        other = made;
+      else
+        wedges_.push_back({other, made});
     }
   }
 
@@ -103,6 +137,10 @@ class Builder {
         mate_[made_[c]] = made_[cells_.mate[c]];
       }
     for (const EdgeFan& fan : cells_.fans) pair_wedges(cells_.of(fan));
+    for (const auto& [a, b] : wedges_) {
+      mate_[a] = b;
+      mate_[b] = a;
+    }
     for (const std::uint32_t m : mate_)
       if (m == none) throw InternalError("an edge of the result has only one face");
   }
@@ -149,8 +187,9 @@ class Builder {
     for (std::size_t e = 0; e < flat.size(); ++e) {
       const std::uint32_t c = corner_of[e];
       if (flat[e]) pin(EdgeId(e), c);
-      if ((faces_.divided[face(c)] || faces_.divided[face(mate_[c])]) && may_go(c))
-        seams_.push_back(EdgeId(e));
+      const bool divided =
+          is_in_row(old_[c]) || faces_.divided[face(c)] || faces_.divided[face(mate_[c])];
+      if (divided && may_go(c)) seams_.push_back(EdgeId(e));
     }
   }
   std::uint32_t face(std::uint32_t corner) const { return cells_.face_of[old_[corner]]; }
@@ -189,7 +228,10 @@ class Builder {
   Polygons result_;
   std::vector<PlaneId> plane_;
   std::vector<FaceSource> source_;
-  std::vector<std::uint32_t> made_;  // per corner of the sub-faces: the result's
+  const std::vector<RowPart> parts_;
+  std::vector<std::uint32_t> made_part_;  // per wedge of a row: the corner that was made first
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> wedges_;  // of rows: corners of the result
+  std::vector<std::uint32_t> made_;  // per corner of the sub-faces: the result's, the first one
   std::vector<std::uint32_t> old_;   // per corner of the result: the sub-faces'
   std::vector<std::uint32_t> mate_;  // per corner of the result
   std::vector<EdgeFan::Side> kept_;

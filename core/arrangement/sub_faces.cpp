@@ -16,8 +16,9 @@ namespace {
 class Groups {
  public:
   Groups(const Facets& facets, const std::vector<FacePair>& pairs, const Traces& traces,
+         const RowLines& rows, const Kernel& kernel,
          const std::vector<std::uint8_t>& touches_itself)
-      : facets_(facets), traces_(traces), sets_(facets.face_count()) {
+      : facets_(facets), traces_(traces), rows_(rows), kernel_(kernel), sets_(facets.face_count()) {
     std::vector<std::uint8_t> overlaps(sets_.size(), 0);
     for (const FacePair& pair : pairs)
       if (pair.how == Meeting::overlapping) {
@@ -42,7 +43,7 @@ class Groups {
   std::vector<std::uint8_t> divided;  // per face
 
  private:
-  // Is there more than its own corners and edges?
+  // Is there more than its own corners and edges, and what is on edges of it that stay whole?
   bool is_met(std::uint32_t f) const {
     const auto points = traces_.points_of(f);
     if (points.empty()) return false;
@@ -50,11 +51,16 @@ class Groups {
     for (std::uint32_t c = facets_.begin(f); c < facets_.end(f); ++c)
       corners.push_back(facets_.from(c));
     std::sort(corners.begin(), corners.end());
-    for (const PointId p : points)
-      if (!std::binary_search(corners.begin(), corners.end(), p)) return true;
-    if (corners.size() == 3) return false;
+    const std::vector<std::uint32_t> whole = edges_in_rows(f);
+    bool only_corners = true;
+    for (const PointId p : points) {
+      if (std::binary_search(corners.begin(), corners.end(), p)) continue;
+      if (!is_on_any(whole, p, p)) return true;
+      only_corners = false;
+    }
+    if (only_corners && corners.size() == 3) return false;
     for (const Trace& t : traces_.of(f)) {
-      bool edge = false;
+      bool edge = is_on_any(whole, t.from, t.to);
       for (std::uint32_t c = facets_.begin(f); c < facets_.end(f) && !edge; ++c)
         edge = std::minmax(facets_.from(c), facets_.to(c)) == std::minmax(t.from, t.to);
       if (!edge) return true;
@@ -62,8 +68,27 @@ class Groups {
     return false;
   }
 
+  std::vector<std::uint32_t> edges_in_rows(std::uint32_t f) const {
+    constexpr std::uint32_t many = 16;
+    std::vector<std::uint32_t> edges;
+    if (rows_.empty() || facets_.size(f) > many) return edges;
+    for (std::uint32_t c = facets_.begin(f); c < facets_.end(f); ++c)
+      if (rows_.of(facets_.from(c), facets_.to(c)) != none) edges.push_back(c);
+    return edges;
+  }
+  bool is_on_any(const std::vector<std::uint32_t>& edges, PointId p, PointId q) const {
+    return std::ranges::any_of(edges, [&](std::uint32_t c) { return is_on(c, p) && is_on(c, q); });
+  }
+  bool is_on(std::uint32_t c, PointId p) const {
+    const PointId from = facets_.from(c), to = facets_.to(c);
+    return p == from || p == to ||
+           (rows_.of(from, p) == rows_.of(from, to) && kernel_.is_between(from, p, to));
+  }
+
   const Facets& facets_;
   const Traces& traces_;
+  const RowLines& rows_;
+  const Kernel& kernel_;
   DisjointSets sets_;
 };
 
@@ -94,16 +119,19 @@ class Steps {
 
 class Collector {
  public:
-  Collector(const Facets& facets, const Kernel& kernel, Counting counting)
-      : facets_(facets), steps_(facets, kernel, counting, result_.steps) {}
+  Collector(const Facets& facets, const EdgeLines& lines, const RowLines& rows,
+            const Kernel& kernel, Counting counting)
+      : facets_(facets),
+        lines_(lines),
+        rows_(rows),
+        steps_(facets, kernel, counting, result_.steps) {}
 
   void add_whole(std::uint32_t f) {
     Polygons& to = result_.polygons;
     for (std::uint32_t l = facets_.polygons.first_loop(f); l < facets_.polygons.face_end[f]; ++l) {
       to.add_loop(facets_.polygons.loop(l));
       for (std::uint32_t c = facets_.polygons.loop_begin(l); c < facets_.polygons.loop_end[l]; ++c)
-        result_.across.push_back(facets_.second_plane.empty() ? PlaneId()
-                                                              : facets_.second_plane[c]);
+        add_edge(c);
     }
     const std::uint32_t operand = facets_.operand[f];
     if (operand >= whole_step_.size()) whole_step_.resize(operand + 1, none);
@@ -128,6 +156,9 @@ class Collector {
           result_.polygons.add_loop(std::span(regions.corners).subspan(corner, end - corner));
           result_.across.insert(result_.across.end(), regions.across.begin() + corner,
                                 regions.across.begin() + end);
+          if (!rows_.empty())
+            result_.row.insert(result_.row.end(), regions.row.begin() + corner,
+                               regions.row.begin() + end);
         }
         corner = end;
       }
@@ -138,6 +169,18 @@ class Collector {
   SubFaces take() { return std::move(result_); }
 
  private:
+  // Of a whole face. In a row it may come to be divided.
+  void add_edge(std::uint32_t c) {
+    const std::uint32_t row = rows_.of(facets_.from(c), facets_.to(c));
+    if (!rows_.empty()) result_.row.push_back(row);
+    PlaneId across;
+    if (row != none)
+      across = lines_.across(c);
+    else if (!facets_.second_plane.empty())
+      across = facets_.second_plane[c];
+    result_.across.push_back(across);
+  }
+
   void end_face(PlaneId plane, std::span<const std::uint32_t> cover, std::uint32_t step,
                 bool divided) {
     result_.polygons.end_face(cover.front());
@@ -149,6 +192,8 @@ class Collector {
   }
 
   const Facets& facets_;
+  const EdgeLines& lines_;
+  const RowLines& rows_;
   SubFaces result_;
   Steps steps_;
   std::vector<std::uint32_t> whole_step_;  // per operand
@@ -157,7 +202,8 @@ class Collector {
 // Where the pieces of a plane cross each other, in all planes.
 void divide_planes(std::vector<PlanePieces>& planes, const Facets& facets, const EdgeLines& lines,
                    Geometry& geometry, Kernel& kernel, std::vector<PointId>& first_at,
-                   const Traces& traces, const Groups& groups, const Steering& steering) {
+                   const Traces& traces, const RowLines& rows, const Groups& groups,
+                   const Steering& steering) {
   parallel::loop(0, planes.size(), [&](std::size_t i) {
     steering.check();
     planes[i].find_crossings(kernel, lines);
@@ -170,12 +216,13 @@ void divide_planes(std::vector<PlanePieces>& planes, const Facets& facets, const
   }
   const std::vector<PointId> made = add_points(constructions, geometry, kernel);
   std::vector<PointId> points = made;
-  for (const auto& group : groups.groups)
-    for (const std::uint32_t f : group) {
-      for (const PointId p : traces.points_of(f)) points.push_back(p);
-      for (std::uint32_t c = facets.begin(f); c < facets.end(f); ++c)
-        points.push_back(facets.from(c));
-    }
+  // Pieces meet corners of whole faces in rows.
+  for (std::uint32_t f = 0; f < facets.face_count(); ++f) {
+    if (groups.divided[f] == 0 && rows.empty()) continue;
+    for (const PointId p : traces.points_of(f)) points.push_back(p);
+    for (std::uint32_t c = facets.begin(f); c < facets.end(f); ++c)
+      points.push_back(facets.from(c));
+  }
   unite_places(kernel, std::move(points), first_at);
   parallel::loop(0, planes.size(), [&](std::size_t i) {
     planes[i].divide(kernel, std::span(made).subspan(first[i], first[i + 1] - first[i]), first_at,
@@ -205,31 +252,34 @@ std::vector<std::uint8_t> faces_to_look_at(const Facets& facets, const std::vect
 
 }  // namespace
 
-SubFaces arrange(const Facets& facets, const FacetTree& tree, Counting counting, Geometry& geometry,
-                 Kernel& kernel, const Steering& steering) {
+SubFaces arrange(const Facets& facets, const FacetTree& tree, Counting counting, Crowds crowds,
+                 Geometry& geometry, Kernel& kernel, const Steering& steering) {
   const std::vector<std::uint8_t> convex = find_convex(facets, kernel);
-  const std::vector<FacePair> pairs = find_pairs(facets, tree, convex, kernel, steering);
+  const auto [pairs, crowded_lines] = find_pairs(facets, tree, convex, kernel, crowds, steering);
   steering.step(0.3);
   const std::vector<std::uint8_t> touches_itself = find_self_touching(facets, convex, kernel);
-  const std::vector<std::uint8_t> wanted = faces_to_look_at(facets, pairs, touches_itself);
+  const std::vector<std::uint8_t> wanted = crowded_lines.empty()
+                                               ? faces_to_look_at(facets, pairs, touches_itself)
+                                               : std::vector<std::uint8_t>(facets.face_count(), 1);
   const EdgeLines lines(facets, wanted, geometry, kernel);
   std::vector<PointId> first_at;
   const Traces traces =
       find_traces(facets, pairs, convex, lines, wanted, geometry, kernel, first_at, steering);
+  const RowLines rows(facets, traces, crowded_lines, kernel);
   steering.step(0.5);
-  const Groups groups(facets, pairs, traces, touches_itself);
+  const Groups groups(facets, pairs, traces, rows, kernel, touches_itself);
   std::vector<PlanePieces> planes(groups.groups.size());
   parallel::loop(0, planes.size(), [&](std::size_t i) {
-    planes[i] = PlanePieces(facets, lines, traces, groups.groups[i], kernel);
+    planes[i] = PlanePieces(facets, lines, traces, rows, groups.groups[i], kernel);
   });
-  divide_planes(planes, facets, lines, geometry, kernel, first_at, traces, groups, steering);
+  divide_planes(planes, facets, lines, geometry, kernel, first_at, traces, rows, groups, steering);
   std::vector<Regions> regions(planes.size());
   parallel::loop(0, planes.size(), [&](std::size_t i) {
     steering.check();
     regions[i] = find_regions(planes[i], kernel);
   });
   steering.step(0.6);
-  Collector collector(facets, kernel, counting);
+  Collector collector(facets, lines, rows, kernel, counting);
   for (std::uint32_t f = 0; f < facets.face_count(); ++f)
     if (!groups.divided[f]) collector.add_whole(f);
   for (std::size_t i = 0; i < planes.size(); ++i)

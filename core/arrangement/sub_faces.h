@@ -2,6 +2,7 @@
 #pragma once
 
 #include "arrangement/facet_tree.h"
+#include "arrangement/pairs.h"
 #include "arrangement/steering.h"
 #include "arrangement/winding.h"
 
@@ -13,6 +14,8 @@ struct SubFaces {
   std::vector<PlaneId> plane;  ///< per sub-face
   /// Per corner: a plane through the edge, not parallel to the face's, where one is known.
   std::vector<PlaneId> across;
+  /// Per corner: the row to which the edge belongs, or none. Empty if there are no rows.
+  std::vector<std::uint32_t> row;
   std::vector<std::uint32_t> cover_end;
   std::vector<std::uint32_t> cover;    ///< the faces that lie there, ascending
   std::vector<std::uint8_t> divided;   ///< per sub-face: was found by dividing a plane
@@ -32,7 +35,7 @@ struct SubFaces {
 
 /// Adds the points in which faces meet to the geometry. Parts whose faces cancel each other are
 /// left out.
-SubFaces arrange(const Facets& facets, const FacetTree& tree, Counting counting, Geometry& geometry,
-                 Kernel& kernel, const Steering& steering);
+SubFaces arrange(const Facets& facets, const FacetTree& tree, Counting counting, Crowds crowds,
+                 Geometry& geometry, Kernel& kernel, const Steering& steering);
 
 }  // namespace sectile::arrangement

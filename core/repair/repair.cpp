@@ -290,8 +290,8 @@ class Repairer {
     const Counting counting = options_.rule == Rule::odd ? Counting::parity : Counting::oriented;
     const Facets all = facets();
     const arrangement::FacetTree tree(all, *kernel_);
-    const SubFaces faces =
-        arrangement::arrange(all, tree, counting, geometry_, *kernel_, steering_);
+    const SubFaces faces = arrangement::arrange(all, tree, counting, arrangement::Crowds::in_rows,
+                                                geometry_, *kernel_, steering_);
     const Cells cells =
         arrangement::find_cells(faces, all, tree, counting,
                                 options_.rule == Rule::positive ? arrangement::InsideOut::turn

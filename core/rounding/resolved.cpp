@@ -67,8 +67,8 @@ std::shared_ptr<const SolidData> resolved(const TriangleSoup& soup,
   const Facets facets = facets_of(soup, geometry, kernel);
   if (facets.face_count() == 0) return std::make_shared<SolidData>();
   const arrangement::FacetTree tree(facets, kernel);
-  const SubFaces faces =
-      arrangement::arrange(facets, tree, Counting::oriented, geometry, kernel, steering);
+  const SubFaces faces = arrangement::arrange(
+      facets, tree, Counting::oriented, arrangement::Crowds::divided, geometry, kernel, steering);
   const Cells cells = arrangement::find_cells(faces, facets, tree, Counting::oriented,
                                               arrangement::InsideOut::turn, kernel, steering);
   std::vector<std::uint8_t> material(cells.winding.size());

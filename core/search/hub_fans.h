@@ -39,6 +39,7 @@ class HubFans {
   /// The hub of a fan, or all points on its line, ascending.
   std::span<const PointId> points(std::size_t fan) const { return fans_[fan].points; }
   bool any_lines() const { return lines_.count() > 0; }
+  const SpineLines& lines() const { return lines_; }
   bool is_along_line(std::size_t fan) const { return fans_[fan].line != SpineLines::none; }
   /// Do two polygons belong to one fan? Then for_each_pair() tells whether they may meet.
   bool same(std::uint32_t f, std::uint32_t g) const {

@@ -12,6 +12,7 @@
 #include "sectile/arrangement.h"
 #include "sectile/boolean.h"
 #include "sectile/primitives.h"
+#include "sectile/repair.h"
 #include "sectile/rounding.h"
 #include "sectile/solid.h"
 #include "sectile/transform.h"
@@ -252,6 +253,40 @@ TEST(Growth, CellsOfBooksWhoseWallsAllEndElsewhere) {
     return [both] { cells(both); };
   };
   EXPECT_LT(growth(cells_of_two, 25), 2.25);
+}
+
+PolygonMesh in_one_mesh(const PolygonMesh& a, const PolygonMesh& b) {
+  PolygonMesh both = a;
+  const auto first = static_cast<std::uint32_t>(a.positions.size());
+  both.positions.insert(both.positions.end(), b.positions.begin(), b.positions.end());
+  both.face_sizes.insert(both.face_sizes.end(), b.face_sizes.begin(), b.face_sizes.end());
+  for (const std::uint32_t i : b.indices) both.indices.push_back(first + i);
+  return both;
+}
+
+// A solid needs corners only where its own surface bends.
+TEST(Growth, RepairOfABookOnAFloor) {
+  const auto on_floor = [](std::size_t n) {
+    RepairOptions options;
+    options.rule = Rule::odd;
+    const PolygonMesh mesh =
+        in_one_mesh(block({-2, -2, -1}, {2, 0, 3}).to_mesh(), book(n, 1e-4, 1e-4));
+    return [=] { repair(mesh, options); };
+  };
+  EXPECT_LT(growth(on_floor, 200), n_log_n);
+}
+
+// Each wall has its edge in common with one of the other book, and overlaps two of it.
+TEST(Growth, RepairOfBooksThatCrossAlongTheirCommonEdge) {
+  const auto of_two = [](std::size_t n) {
+    PolygonMesh other = book(n, 1e-4, 1e-4, 0.7);
+    const double half = std::numbers::pi / static_cast<double>(n), c = std::cos(half),
+                 s = std::sin(half);
+    for (Vec3& p : other.positions) p = {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
+    const PolygonMesh mesh = in_one_mesh(book(n, 1e-4, 1e-4, 0.7), other);
+    return [=] { repair(mesh); };
+  };
+  EXPECT_LT(growth(of_two, 200), n_log_n);
 }
 
 // Each turned by so many degrees over n against itself, so that walls of both are beside each other
