@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "append_mesh.h"
 #include "cases.h"
 #include "crowds.h"
 #include "sectile/arrangement.h"
@@ -24,13 +25,6 @@ PolygonMesh turned(PolygonMesh mesh) {
     corner += size;
   }
   return mesh;
-}
-
-void append(const PolygonMesh& part, PolygonMesh& mesh) {
-  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
-  mesh.face_sizes.insert(mesh.face_sizes.end(), part.face_sizes.begin(), part.face_sizes.end());
-  for (const std::uint32_t i : part.indices) mesh.indices.push_back(first + i);
 }
 
 class CrowdInOneMesh {

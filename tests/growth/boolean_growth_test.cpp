@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "append_mesh.h"
 #include "boolean/boolean.h"
 #include "growth/steps.h"
 #include "sectile/arrangement.h"
@@ -255,13 +256,9 @@ TEST(Growth, CellsOfBooksWhoseWallsAllEndElsewhere) {
   EXPECT_LT(growth(cells_of_two, 25), 2.25);
 }
 
-PolygonMesh in_one_mesh(const PolygonMesh& a, const PolygonMesh& b) {
-  PolygonMesh both = a;
-  const auto first = static_cast<std::uint32_t>(a.positions.size());
-  both.positions.insert(both.positions.end(), b.positions.begin(), b.positions.end());
-  both.face_sizes.insert(both.face_sizes.end(), b.face_sizes.begin(), b.face_sizes.end());
-  for (const std::uint32_t i : b.indices) both.indices.push_back(first + i);
-  return both;
+PolygonMesh in_one_mesh(PolygonMesh a, const PolygonMesh& b) {
+  test::append(b, a);
+  return a;
 }
 
 // A solid needs corners only where its own surface bends.

@@ -12,11 +12,13 @@
 #include "sectile/arrangement.h"
 #include "sectile/sectile.h"
 #include "unit/for_an_observer.h"
+#include "unit/laws_of_sets.h"
 #include "unit/leaves.h"
 
 namespace sectile {
 namespace {
 
+using test::expect_laws_of_sets;
 using test::expect_the_same_for_an_observer;
 
 constexpr int turn = 192;  // half-planes around a line (test::on_square)
@@ -100,17 +102,6 @@ void expect_what_cells_are(const Solid& a, const Solid& b) {
   EXPECT_TRUE(boolean(a, b, Operation::intersect) == both);
   EXPECT_TRUE(boolean(a, b, Operation::subtract) == only_a);
   EXPECT_TRUE(boolean(b, a, Operation::subtract) == only_b);
-}
-
-void expect_laws_of_sets(const Solid& a, const Solid& b) {
-  const Solid both = boolean(a, b, Operation::intersect), any = boolean(a, b, Operation::unite),
-              rest = boolean(a, b, Operation::subtract);
-  EXPECT_NEAR(any.volume() + both.volume(), a.volume() + b.volume(), 1e-9 * any.volume());
-  EXPECT_NEAR(rest.volume() + both.volume(), a.volume(), 1e-9 * a.volume());
-  EXPECT_TRUE(boolean(rest, both, Operation::unite) == a);
-  EXPECT_TRUE(boolean(any, rest, Operation::subtract) == b);
-  EXPECT_TRUE(boolean(rest, b, Operation::intersect).is_empty());
-  for (const Solid& made : {both, any, rest}) EXPECT_TRUE(validate(made).empty());
 }
 
 TEST(BooksAtACrossing, OnBothSidesOfTheirPlaneAreInNoPair) {

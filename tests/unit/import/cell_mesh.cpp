@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "append_mesh.h"
+
 namespace sectile {
 
 PolygonMesh cell_mesh(const std::set<Cell>& cells, bool inwards) {
@@ -48,10 +50,7 @@ PolygonMesh cube_mesh(const Vec3& low, double size) {
 
 PolygonMesh joined(const PolygonMesh& a, const PolygonMesh& b) {
   PolygonMesh mesh = a;
-  const auto shift = static_cast<std::uint32_t>(a.positions.size());
-  mesh.positions.insert(mesh.positions.end(), b.positions.begin(), b.positions.end());
-  mesh.face_sizes.insert(mesh.face_sizes.end(), b.face_sizes.begin(), b.face_sizes.end());
-  for (const std::uint32_t i : b.indices) mesh.indices.push_back(i + shift);
+  test::append(b, mesh);
   return mesh;
 }
 

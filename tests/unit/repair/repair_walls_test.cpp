@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 
+#include "append_mesh.h"
 #include "sectile/arrangement.h"
 #include "sectile/repair.h"
 #include "sectile/sectile.h"
@@ -40,10 +41,7 @@ class Walls : public testing::Test {
   }
 
   void add(const PolygonMesh& part) {
-    const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
-    mesh_.positions.insert(mesh_.positions.end(), part.positions.begin(), part.positions.end());
-    mesh_.face_sizes.insert(mesh_.face_sizes.end(), part.face_sizes.begin(), part.face_sizes.end());
-    for (const std::uint32_t i : part.indices) mesh_.indices.push_back(first + i);
+    test::append(part, mesh_);
     solids_.push_back(Solid::from_mesh(part));
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "append_mesh.h"
 #include "cases.h"
 #include "import/soup.h"
 #include "sectile/sectile.h"
@@ -164,13 +165,6 @@ PolygonMesh plate_of_cells(Pieces& pieces, std::uint32_t side) {
   return mesh;
 }
 
-void append(PolygonMesh& mesh, const PolygonMesh& other) {
-  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
-  mesh.face_sizes.insert(mesh.face_sizes.end(), other.face_sizes.begin(), other.face_sizes.end());
-  for (const std::uint32_t i : other.indices) mesh.indices.push_back(first + i);
-}
-
 // Pieces that stand on a plate, pass through its holes or through itself, or lie in its planes.
 TEST(SelfTest, PlatesAmongPiecesAreRefusedWhereTheyAreNoSolid) {
   Tally tally;
@@ -178,7 +172,7 @@ TEST(SelfTest, PlatesAmongPiecesAreRefusedWhereTheyAreNoSolid) {
   for (int i = 0; i < 2000; ++i) {
     SCOPED_TRACE(i);
     PolygonMesh mesh = plate_of_cells(pieces, 4);
-    append(mesh, pieces.mesh(1 + i % 2, 4, i % 3 == 0));
+    test::append(pieces.mesh(1 + i % 2, 4, i % 3 == 0), mesh);
     compare(mesh, tally);
     if (HasFatalFailure()) return;
   }
