@@ -10,6 +10,7 @@
 #include "geometry/triangulation.h"
 #include "import/edge_buckets.h"
 #include "numbers/disjoint_sets.h"
+#include "numbers/threshold.h"
 #include "parallel/parallel.h"
 #include "sectile/errors.h"
 
@@ -126,11 +127,11 @@ class CellFinder {
              const Kernel& kernel, const Steering& steering, Cells& cells)
       : faces_(faces),
         facets_(facets),
+        tree_(tree),
         counting_(counting),
         kernel_(kernel),
         steering_(steering),
-        cells_(cells),
-        ray_(facets, tree, kernel) {}
+        cells_(cells) {}
 
   void run(InsideOut inside_out) {
     find_patches();
@@ -247,8 +248,30 @@ class CellFinder {
     return {corners[t[0]], corners[t[1]], corners[t[2]]};
   }
 
+  RayStart ray_start(const Component& component) const {
+    const auto [p, q, r] = triangle(patch_face_[component.patches[0]]);
+    return RayStart(exact_centre(kernel_, p, q, r));
+  }
+
+  // Parts that stand in a row hide each other along it: there, rays go where they meet least.
+  WindingRay best_ray() const {
+    const std::size_t sample = std::min<std::size_t>(components_.size(), 64);
+    std::array<std::size_t, 3> met{};
+    for (std::size_t i = 0; i < sample; ++i) {
+      const RayStart start = ray_start(components_[i * components_.size() / sample]);
+      for (int axis = 0; axis < 3; ++axis)
+        met[static_cast<std::size_t>(axis)] +=
+            WindingRay(facets_, tree_, kernel_, axis).near_faces(start).size();
+    }
+    const auto least = std::min_element(met.begin(), met.end()) - met.begin();
+    return WindingRay(facets_, tree_, kernel_, static_cast<int>(least));
+  }
+
   // One ray for each component; the windings of its other cells follow.
   void cast_rays() {
+    constexpr std::size_t few = threshold(16, 1);
+    const WindingRay ray =
+        components_.size() <= few ? WindingRay(facets_, tree_, kernel_, 0) : best_ray();
     winding_.resize(cell_of_.size());
     known_.assign(cell_of_.size(), 0);
     links_ = Links(cell_of_);
@@ -256,10 +279,9 @@ class CellFinder {
       steering_.check();
       Component& component = components_[i];
       const std::uint32_t f = patch_face_[component.patches[0]];
-      const auto [p, q, r] = triangle(f);
-      const RayStart centre(exact_centre(kernel_, p, q, r));
-      component.hits = ray_.hits(centre);
-      const bool before = ray_.side(centre, faces_.plane[f]) == Sign::positive;
+      const RayStart start = ray_start(component);
+      component.hits = ray.hits(start);
+      const bool before = ray.side(start, faces_.plane[f]) == Sign::positive;
       component.base = cell_of_[2 * patch_of_[f] + (before ? 0 : 1)];
       Winding winding;
       for (const WindingRay::Hit& hit : component.hits)
@@ -408,11 +430,11 @@ class CellFinder {
 
   const SubFaces& faces_;
   const Facets& facets_;
+  const BoxTree& tree_;
   Counting counting_;
   const Kernel& kernel_;
   const Steering& steering_;
   Cells& cells_;
-  WindingRay ray_;
   std::vector<std::uint32_t> patch_of_;      // per sub-face
   std::vector<std::uint32_t> patch_face_;    // per patch: one of its sub-faces
   std::vector<std::uint32_t> cell_of_;       // per side of a patch

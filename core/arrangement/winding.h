@@ -33,17 +33,20 @@ struct RayStart {
 /// Counts the faces that a ray meets.
 class WindingRay {
  public:
-  WindingRay(const Facets& facets, const BoxTree& tree, const Kernel& kernel)
-      : facets_(facets), tree_(tree), kernel_(kernel) {}
+  /// In the direction of an axis.
+  WindingRay(const Facets& facets, const BoxTree& tree, const Kernel& kernel, int axis)
+      : facets_(facets), tree_(tree), kernel_(kernel), axis_(axis) {}
 
   struct Hit {
     std::uint32_t face;
     std::int32_t sign;
   };
-  /// The faces that a ray in direction +x meets, with the winding number that they add around its
-  /// start. It starts beside the point, at an infinitesimal distance: (ζ, ε, -δ) with δ far greater
-  /// than ε and ε than ζ, so that it meets no edge.
+  /// The faces that the ray meets, with the winding number that they add around its start. It
+  /// starts beside the point, at an infinitesimal distance: by (ζ, ε, -δ) on the ray's axis and the
+  /// two next ones, with δ far greater than ε and ε than ζ, so that it meets no edge.
   std::vector<Hit> hits(const RayStart& start) const;
+  /// Those whose boxes it meets, ascending.
+  std::vector<std::uint32_t> near_faces(const RayStart& start) const;
 
   /// The side of a plane on which the start of that ray lies.
   Sign side(const RayStart& start, PlaneId plane) const;
@@ -54,6 +57,7 @@ class WindingRay {
   const Facets& facets_;
   const BoxTree& tree_;
   const Kernel& kernel_;
+  int axis_;
 };
 
 }  // namespace sectile::arrangement

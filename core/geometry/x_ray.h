@@ -1,4 +1,5 @@
-// Which faces a ray in direction +x meets, by the projection of their edges to (y, z).
+// Which faces a ray in direction +x meets, by the projection of their edges to (y, z). Of a ray
+// along another axis, y and z are the two next ones.
 #pragma once
 
 #include "numbers/sign.h"

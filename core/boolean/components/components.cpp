@@ -5,7 +5,9 @@
 #include <span>
 
 #include "boolean/components/free_point.h"
+#include "boolean/components/point_in_face.h"
 #include "boolean/components/point_in_solid.h"
+#include "boolean/components/steep_face.h"
 #include "boolean/side_by_side.h"
 #include "search/id_map.h"
 #include "sectile/errors.h"
@@ -237,7 +239,7 @@ class Labelling {
         continue;
       }
       if (!points) points.emplace(w_, contacts_, operand_);
-      set_loaded(f, label_of(points->on_shell_of(f)));
+      set_loaded(f, label_of(points->on_shell_of(f), [&] { return points->facing_x(); }));
       spread();
     }
     if (rest_.empty()) return;
@@ -320,18 +322,36 @@ class Labelling {
     const PointId p =
         load_point(slot(s).block->geometry(), brep.point_of(brep.from(h)), w_.geometry);
     w_.kernel->refresh();
-    set_rest(s, f, label_of(std::span(&p, 1)));
+    set_rest(s, f, label_of(std::span(&p, 1), [&] { return point_within(s, f); }));
+  }
+  // Within a face that hangs together with one that is not loaded, and is off the other boundary as
+  // that is.
+  PointId point_within(std::uint32_t s, FaceId f) {
+    const auto is_off = [&](std::uint32_t t, FaceId g) {
+      return !rest_.is_loaded(t, g) && w_.common_faces.differs(operand_, t, g);
+    };
+    const auto steep = steep_face_near(solid(), {s, f}, is_off);
+    if (!steep) return {};
+    const FaceId face = solid().face(steep->slot, steep->face);
+    const Patch alone = load_patch(solid(), {face}, w_.geometry);
+    w_.kernel->refresh();
+    return point_in_face(w_, alone, loaded_face(alone, face), 0.5, [](PointId) { return true; });
   }
 
-  // Of what some points lie on, which all lie on one side of the other boundary.
-  std::uint8_t label_of(std::span<const PointId> points) {
-    return label_(operand_, are_inside(points) ? Class::in : Class::out);
+  // Of what some points lie on, which all lie on one side of the other boundary. further() makes
+  // one more, if any: parts in a row have their corners on one line, and rays between them do not
+  // come near to edges.
+  template <class Further>
+  std::uint8_t label_of(std::span<const PointId> points, const Further& further) {
+    return label_(operand_, are_inside(points, further) ? Class::in : Class::out);
   }
-  bool are_inside(std::span<const PointId> points) {
+  template <class Further>
+  bool are_inside(std::span<const PointId> points, const Further& further) {
     if (!is_inside_) is_inside_.emplace(w_, other(operand_));
-    if (points.size() > 1)
-      for (const PointId p : points)
-        if (const std::optional<bool> is = is_inside_->if_clear(p)) return *is;
+    for (const PointId p : points)
+      if (const std::optional<bool> is = is_inside_->if_clear(p)) return *is;
+    if (const PointId p = further(); p.valid())
+      if (const std::optional<bool> is = is_inside_->if_clear(p)) return *is;
     return (*is_inside_)(points[0]);
   }
 

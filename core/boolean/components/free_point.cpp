@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "boolean/face_location.h"
+#include "boolean/components/point_in_face.h"
 #include "boolean/line.h"
 #include "geometry/axes.h"
 #include "geometry/probe.h"
@@ -63,37 +63,53 @@ bool FreePoints::are_on_crowded_line(std::initializer_list<PointId> points) cons
 }
 
 std::vector<PointId> FreePoints::on_shell_of(FaceId start) {
-  std::vector<FaceId> front{start}, faces;
-  std::vector<EdgeId> edges;
+  faces_.clear();
+  front_.assign(1, start);
   seen_[start] = 1;
+  std::vector<EdgeId> edges;
   std::vector<PointId> found;
   PointId beyond_end;
-  while (!front.empty() && !beyond_end.valid() && found.size() < most_points) {
-    const FaceId face = front.back();
-    front.pop_back();
-    faces.push_back(face);
-    for_each_in_face(brep_, face, [&](HalfEdgeId h) {
+  while (!beyond_end.valid() && found.size() < most_points && visit_next()) {
+    for_each_in_face(brep_, faces_.back(), [&](HalfEdgeId h) {
       const VertexId v = brep_.from(h);
       edges.push_back(Brep::edge_of(h));
       if (!vertex_in_contact_[v] && found.size() < most_points &&
           std::ranges::find(found, brep_.point_of(v)) == found.end())
         found.push_back(brep_.point_of(v));
-      const FaceId beyond = brep_.face_of(Brep::twin(h));
-      if (brep_.kind_of(beyond) == FaceKind::rest) {
-        if (found.empty() && !beyond_end.valid())
-          beyond_end = corner_beyond(patch_.half_edge_in_solid[Brep::twin(h)]);
-      } else if (patch_.is_real(beyond) && !seen_[beyond]) {
-        seen_[beyond] = 1;
-        front.push_back(beyond);
-      }
+      if (found.empty() && !beyond_end.valid() &&
+          brep_.kind_of(brep_.face_of(Brep::twin(h))) == FaceKind::rest)
+        beyond_end = corner_beyond(patch_.half_edge_in_solid[Brep::twin(h)]);
     });
   }
   w_.kernel->refresh();
   if (!found.empty()) return found;
   PointId only = beyond_end.valid() ? beyond_end : within_an_edge(edges);
-  if (!only.valid()) only = within_a_face(faces);
+  if (!only.valid()) only = within_a_face();
   if (!only.valid()) throw NeedsAllPairs("a shell lies on the other boundary without a contact");
   return {only};
+}
+
+bool FreePoints::visit_next() {
+  if (front_.empty()) return false;
+  const FaceId face = front_.back();
+  front_.pop_back();
+  faces_.push_back(face);
+  for_each_in_face(brep_, face, [&](HalfEdgeId h) {
+    const FaceId beyond = brep_.face_of(Brep::twin(h));
+    if (!patch_.is_real(beyond) || seen_[beyond]) return;
+    seen_[beyond] = 1;
+    front_.push_back(beyond);
+  });
+  return true;
+}
+
+PointId FreePoints::facing_x() {
+  for (std::size_t i = 0; i < faces_.size() || visit_next(); ++i) {
+    if (face_in_contact_[faces_[i]] || w_.tests().main_axis(patch_.plane(faces_[i])) != 0) continue;
+    const PointId made = within(faces_[i], 0.5);
+    if (made.valid()) return made;
+  }
+  return {};
 }
 
 // A corner, off the edge, of a face that is not loaded.
@@ -117,7 +133,7 @@ PointId FreePoints::within_an_edge(std::vector<EdgeId>& edges) {
     for (int axis = 0; axis < 3; ++axis) {
       const double p = component(w_.geometry.position(from), axis),
                    q = component(w_.geometry.position(to), axis);
-      const PlaneId across = plane_across(axis, p / 2 + q / 2);
+      const PlaneId across = plane_across(w_, axis, p / 2 + q / 2);
       if (w_.tests().side(from, across) * w_.tests().side(to, across) != Sign::negative) continue;
       const Construction how = edge_plane_construction(w_, operand_, h, across);
       const PointId made = add_constructed(w_.geometry, how, w_.tests().construct(how));
@@ -129,47 +145,20 @@ PointId FreePoints::within_an_edge(std::vector<EdgeId>& edges) {
 }
 
 // All edges may be on crowded lines, which what is within a face is not.
-PointId FreePoints::within_a_face(const std::vector<FaceId>& faces) {
-  std::vector<Entity> found;
-  for (const FaceId face : faces) {
+PointId FreePoints::within_a_face() {
+  for (const FaceId face : faces_) {
     if (face_in_contact_[face]) continue;
-    std::vector<HalfEdgeId> corners;
-    for_each_in_loop(brep_, brep_.outer_loop[face], [&](HalfEdgeId h) { corners.push_back(h); });
-    for (const double part : {0.5, 0.01})
-      for (const HalfEdgeId corner : corners) {
-        const PointId made = beside_corner(face, corner, part);
-        locate(w_.tests(), patch_, face, Probe(w_.tests(), made), found);
-        if (found.size() == 1 && found.front() == Entity(face) && !are_on_crowded_line({made}))
-          return made;
-      }
+    for (const double part : {0.5, 0.01}) {
+      const PointId made = within(face, part);
+      if (made.valid()) return made;
+    }
   }
   return {};
 }
 
-// So much of the way to the middle of the edge that cuts the corner off.
-PointId FreePoints::beside_corner(FaceId face, HalfEdgeId corner, double part) {
-  const auto at = [&](HalfEdgeId h, int axis) {
-    return component(w_.geometry.position(brep_.point_of(brep_.from(h))), axis);
-  };
-  const auto across = [&](int axis) {
-    const double middle = at(brep_.prev_of(corner), axis) / 2 + at(brep_.next_of(corner), axis) / 2;
-    return plane_across(axis, (1 - part) * at(corner, axis) + part * middle);
-  };
-  const PlaneId plane = patch_.plane(face);
-  const int axis = w_.tests().main_axis(plane);
-  const Construction how{plane, across((axis + 1) % 3), across((axis + 2) % 3), {}, {}};
-  const PointId made = add_constructed(w_.geometry, how, w_.tests().construct(how));
-  w_.kernel->refresh();
-  return made;
-}
-
-PlaneId FreePoints::plane_across(int axis, double at) {
-  double normal[3] = {0, 0, 0};
-  normal[axis] = 1;
-  const PlaneId made =
-      w_.geometry.add_plane(PlaneCoefficients{normal[0], normal[1], normal[2], -at});
-  w_.kernel->refresh();
-  return made;
+PointId FreePoints::within(FaceId face, double part) {
+  return point_in_face(w_, patch_, face, part,
+                       [&](PointId p) { return !are_on_crowded_line({p}); });
 }
 
 }  // namespace sectile

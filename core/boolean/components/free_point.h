@@ -18,20 +18,24 @@ class FreePoints {
   /// geometry. May throw NeedsAllPairs: all edges of the shell are on crowded lines then, and none
   /// of its faces is known to have doubles within it, and no contact.
   std::vector<PointId> on_shell_of(FaceId face);
+  /// One within a face of the last shell that was asked for, along which rays in x do not run; or
+  /// none.
+  PointId facing_x();
 
  private:
   void add_crowded_lines();
   bool are_on_crowded_line(std::initializer_list<PointId> points) const;
   PointId corner_beyond(HalfEdgeId in_solid);
+  bool visit_next();
   PointId within_an_edge(std::vector<EdgeId>& edges);
-  PointId within_a_face(const std::vector<FaceId>& faces);
-  PointId beside_corner(FaceId face, HalfEdgeId corner, double part);
-  PlaneId plane_across(int axis, double at);
+  PointId within_a_face();
+  PointId within(FaceId face, double part);
 
   Workspace& w_;
   Operand operand_;
   const Patch& patch_;
   const Brep& brep_;
+  std::vector<FaceId> faces_, front_;  // of the last shell: visited, and to be visited
   Table<FaceId, std::uint8_t> seen_;
   Table<VertexId, std::uint8_t> vertex_in_contact_;
   Table<EdgeId, std::uint8_t> edge_in_contact_;
