@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "search/arc_partition.h"
 #include "search/box_tree.h"
 #include "search/hubs.h"
 #include "search/places_on_line.h"
@@ -75,8 +76,11 @@ class HubFans {
                   const Kernel& kernel, const ForEachCorner& for_each_corner);
   std::vector<PointId> all_points() const;
   template <class ForEachCorner>
-  std::vector<Box> boxes(const Fan& fan, const Geometry& geometry,
-                         const ForEachCorner& for_each_corner) const;
+  std::vector<SeenArc> arcs(const Fan& fan, const Geometry& geometry,
+                            const ForEachCorner& for_each_corner) const;
+  template <class ForEachCorner>
+  std::vector<Box> boxes_along_line(const Fan& fan, const Geometry& geometry,
+                                    const ForEachCorner& for_each_corner) const;
 
   std::size_t count_ = 0, points_ = 0;
   std::vector<Fan> fans_;
@@ -188,8 +192,24 @@ inline std::vector<PointId> HubFans::all_points() const {
 }
 
 template <class ForEachCorner>
-std::vector<Box> HubFans::boxes(const Fan& fan, const Geometry& geometry,
-                                const ForEachCorner& for_each_corner) const {
+std::vector<SeenArc> HubFans::arcs(const Fan& fan, const Geometry& geometry,
+                                   const ForEachCorner& for_each_corner) const {
+  std::vector<SeenArc> arcs;
+  arcs.reserve(fan.polygons.size());
+  std::vector<Vec3> others;
+  for (const std::uint32_t f : fan.polygons) {
+    others.clear();
+    for_each_corner(f, [&](PointId p) {
+      if (p != fan.points[0]) others.push_back(geometry.position(p));
+    });
+    arcs.push_back(SeenArc::from_corner(geometry.position(fan.points[0]), others));
+  }
+  return arcs;
+}
+
+template <class ForEachCorner>
+std::vector<Box> HubFans::boxes_along_line(const Fan& fan, const Geometry& geometry,
+                                           const ForEachCorner& for_each_corner) const {
   std::vector<Box> boxes;
   boxes.reserve(fan.polygons.size());
   std::vector<Vec3> known, others;
@@ -199,9 +219,7 @@ std::vector<Box> HubFans::boxes(const Fan& fan, const Geometry& geometry,
     for_each_corner(f, [&](PointId p) {
       (std::ranges::binary_search(fan.points, p) ? known : others).push_back(geometry.position(p));
     });
-    boxes.push_back(fan.line == SpineLines::none
-                        ? direction_box(geometry.position(fan.points[0]), others)
-                        : lines_[fan.line].box(known, others));
+    boxes.push_back(lines_[fan.line].box(known, others));
   }
   return boxes;
 }
@@ -210,10 +228,13 @@ template <class ForEachCorner, class Visit>
 void HubFans::for_each_pair(std::size_t fan, const Geometry& geometry,
                             const ForEachCorner& for_each_corner, const Visit& visit) const {
   const std::vector<std::uint32_t>& polygons = fans_[fan].polygons;
-  const BoxTree tree(boxes(fans_[fan], geometry, for_each_corner));
-  for (const BoxTree::SelfPart& part : tree.self_parts(1))
-    tree.self_overlaps(part,
-                       [&](std::uint32_t i, std::uint32_t j) { visit(polygons[i], polygons[j]); });
+  const auto visit_pair = [&](std::uint32_t i, std::uint32_t j) {
+    visit(polygons[i], polygons[j]);
+  };
+  if (!is_along_line(fan))
+    return ArcPartition(arcs(fans_[fan], geometry, for_each_corner)).for_each_pair(visit_pair);
+  const BoxTree tree(boxes_along_line(fans_[fan], geometry, for_each_corner));
+  for (const BoxTree::SelfPart& part : tree.self_parts(1)) tree.self_overlaps(part, visit_pair);
 }
 
 template <class ForEachCorner, class Visit>
@@ -250,7 +271,7 @@ template <class ForEachCorner, class Visit>
 void HubFans::for_each_other_pair(std::size_t fan, const Geometry& geometry,
                                   const ForEachCorner& for_each_corner, const Visit& visit) const {
   const std::vector<std::uint32_t>& polygons = fans_[fan].polygons;
-  const std::vector<Box> all = boxes(fans_[fan], geometry, for_each_corner);
+  const std::vector<Box> all = boxes_along_line(fans_[fan], geometry, for_each_corner);
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size(); ++j)
       if (!all[i].overlaps(all[j])) visit(polygons[i], polygons[j]);

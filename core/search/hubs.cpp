@@ -1,9 +1,6 @@
 #include "search/hubs.h"
 
-#include <cmath>
-
-#include "numbers/rounding.h"
-#include "search/directions.h"
+#include <algorithm>
 
 namespace sectile {
 namespace {
@@ -14,17 +11,6 @@ std::vector<std::uint32_t> corners_at_points(const Brep& brep) {
   std::vector<std::uint32_t> count(std::size_t(last) + 1, 0);
   for (const VertexId v : brep.origin) ++count[brep.point_of(v).value()];
   return count;
-}
-
-double largest(const Vec3& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-// On each axis two rounded positions and their difference: 2 u (|p| + |c|). That makes less than
-// 4 u (|p| + |c|) for the vector.
-void add_direction(const Vec3& centre, const Vec3& p, Directions& to) {
-  to.add({p.x - centre.x, p.y - centre.y, p.z - centre.z},
-         4 * rounding::unit * (largest(p) + largest(centre)));
 }
 
 }  // namespace
@@ -86,25 +72,20 @@ std::vector<Hubs::Spine> Hubs::spines_among(std::vector<Spine> edges, std::uint3
   return spines;
 }
 
-Box direction_box(const Vec3& hub, std::span<const Vec3> points) {
-  Directions directions;
-  for (const Vec3& p : points) add_direction(hub, p, directions);
-  return directions.box();
-}
-
-std::vector<Box> direction_boxes(const Brep& brep, const Geometry& geometry, PointId hub,
-                                 std::span<const FaceId> faces) {
-  std::vector<Box> boxes;
-  boxes.reserve(faces.size());
+std::vector<SeenArc> arcs_seen_from(PointId hub, const Brep& brep, const Geometry& geometry,
+                                    std::span<const FaceId> faces) {
+  std::vector<SeenArc> arcs;
+  arcs.reserve(faces.size());
+  std::vector<Vec3> others;
   for (const FaceId f : faces) {
-    Directions directions;
+    others.clear();
     for_each_in_loop(brep, brep.outer_loop[f], [&](HalfEdgeId h) {
       const PointId p = brep.point_of(brep.from(h));
-      if (p != hub) add_direction(geometry.position(hub), geometry.position(p), directions);
+      if (p != hub) others.push_back(geometry.position(p));
     });
-    boxes.push_back(directions.box());
+    arcs.push_back(SeenArc::from_corner(geometry.position(hub), others));
   }
-  return boxes;
+  return arcs;
 }
 
 }  // namespace sectile

@@ -10,8 +10,8 @@
 
 #include "geometry/geometry.h"
 #include "numbers/threshold.h"
-#include "search/box.h"
 #include "search/edges_by_line.h"
+#include "search/seen_arc.h"
 #include "topology/brep.h"
 
 namespace sectile {
@@ -50,12 +50,8 @@ class Hubs {
   std::vector<Spine> spines_;
 };
 
-/// A box around the directions (unit vectors) in which what these points span is seen from a hub.
-Box direction_box(const Vec3& hub, std::span<const Vec3> points);
-
-/// Boxes around the directions (unit vectors) in which the faces of a fan are seen from the hub.
-/// Faces that have more than the hub in common have boxes that overlap.
-std::vector<Box> direction_boxes(const Brep& brep, const Geometry& geometry, PointId hub,
-                                 std::span<const FaceId> faces);
+/// How the faces of a fan are seen from the hub.
+std::vector<SeenArc> arcs_seen_from(PointId hub, const Brep& brep, const Geometry& geometry,
+                                    std::span<const FaceId> faces);
 
 }  // namespace sectile

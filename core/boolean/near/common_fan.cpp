@@ -107,7 +107,7 @@ class OwnerPairs {
   void add_pairs(FaceId owner, std::span<const Vec3> points) {
     const Box extent = fan_.line ? fan_.line->reach(points) : Box::everything();
     for (std::size_t i = 0; i < others_.faces.size(); ++i)
-      if (others_.boxes[i].overlaps(extent))
+      if (!fan_.line || others_.boxes[i].overlaps(extent))
         pairs_.push_back({owner, loaded_face(across_, others_.faces[i])});
   }
 

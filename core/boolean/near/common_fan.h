@@ -6,13 +6,15 @@
 #include "boolean/reduction/reduction.h"
 #include "boolean/workspace.h"
 #include "search/along_line.h"
+#include "search/seen_arc.h"
 
 namespace sectile {
 
 /// Faces of one solid.
 struct Fan {
   std::vector<FaceId> faces;
-  std::vector<Box> boxes;  ///< of faces that meet off the point, or the line, overlap
+  std::vector<SeenArc> arcs;  ///< around a point, how it sees them
+  std::vector<Box> boxes;     ///< around a line: of faces that meet off it, overlap
 };
 
 struct CommonFan {

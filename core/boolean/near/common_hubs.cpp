@@ -4,9 +4,12 @@
 #include <tuple>
 
 #include "boolean/collect.h"
+#include "search/arc_partition.h"
 
 namespace sectile {
 namespace {
+
+struct TooMany {};
 
 bool same_point(const Geometry& a, PointId p, const Geometry& b, PointId q) {
   if (!(a.position(p) == b.position(q))) return false;
@@ -79,18 +82,16 @@ bool CommonHubs::are_at_one_place(const Hub& g, const Hub& h) const {
   return same_point(block(g).geometry(), point(g), block(h).geometry(), point(h));
 }
 
-std::vector<Box> CommonHubs::boxes(const Hub& h, std::uint32_t fan) const {
+std::vector<Box> CommonHubs::boxes_along_line(const Hub& h, std::uint32_t fan) const {
   const Brep& brep = block(h).brep();
   const Geometry& geometry = block(h).geometry();
   const Hubs& of_block = hubs(h.solid, h.slot);
-  const auto faces = of_block.faces(h.number);
-  if (fan < order_.size()) return direction_boxes(brep, geometry, point(h), faces);
   std::vector<PointId> known;  // on the line
   for (std::uint32_t i = 0; i < of_block.size(); ++i)
     if (fan_of({h.solid, h.slot, i}) == fan) known.push_back(of_block.point(i));
   std::vector<Box> boxes;
   std::vector<Vec3> on_line, beside;
-  for (const FaceId f : faces) {
+  for (const FaceId f : of_block.faces(h.number)) {
     on_line.clear();
     beside.clear();
     for_each_in_loop(brep, brep.outer_loop[f], [&](HalfEdgeId e) {
@@ -103,6 +104,22 @@ std::vector<Box> CommonHubs::boxes(const Hub& h, std::uint32_t fan) const {
   return boxes;
 }
 
+void CommonHubs::add_faces(const Hub& h, std::uint32_t fan, Fan& to) const {
+  const std::span<const FaceId> faces = hubs(h.solid, h.slot).faces(h.number);
+  std::vector<SeenArc> arcs;
+  std::vector<Box> boxes;
+  if (fan < order_.size())
+    arcs = arcs_seen_from(point(h), block(h).brep(), block(h).geometry(), faces);
+  else
+    boxes = boxes_along_line(h, fan);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (left_out_.has(h.solid, h.slot, faces[i])) continue;
+    to.faces.push_back(data_[h.solid]->face(h.slot, faces[i]));
+    if (!arcs.empty()) to.arcs.push_back(arcs[i]);
+    if (!boxes.empty()) to.boxes.push_back(boxes[i]);
+  }
+}
+
 // Calls visit(CommonFan) for what both solids have.
 template <class Visit>
 void CommonHubs::for_each_fan(const Visit& visit) const {
@@ -111,14 +128,7 @@ void CommonHubs::for_each_fan(const Visit& visit) const {
     const std::uint32_t fan = fan_of(order_[from]);
     for (to = from; to < order_.size() && fan_of(order_[to]) == fan; ++to) {
       const Hub& h = order_[to];
-      Fan& mine = common.of[h.solid];
-      const std::span<const FaceId> faces = hubs(h.solid, h.slot).faces(h.number);
-      const std::vector<Box> boxes = this->boxes(h, fan);
-      for (std::size_t i = 0; i < faces.size(); ++i) {
-        if (left_out_.has(h.solid, h.slot, faces[i])) continue;
-        mine.faces.push_back(data_[h.solid]->face(h.slot, faces[i]));
-        mine.boxes.push_back(boxes[i]);
-      }
+      add_faces(h, fan, common.of[h.solid]);
       if (common.places.empty() || !(common.places.back() == position(h)))
         common.places.push_back(position(h));
     }
@@ -140,13 +150,21 @@ CommonFaces::Faces CommonHubs::left_out_on_lines() const {
   return faces;
 }
 
-void CommonHubs::add_pairs(FacePairs& pairs) const {
+bool CommonHubs::add_pairs(FacePairs& pairs, std::size_t most) const try {
   for_each_fan([&](const CommonFan& fan) {
     const Fan &a = fan.of[Operand::a], &b = fan.of[Operand::b];
-    BoxTree::overlaps(BoxTree(a.boxes), BoxTree(b.boxes), [&](std::uint32_t i, std::uint32_t j) {
+    const auto add = [&](std::uint32_t i, std::uint32_t j) {
+      if (pairs.size() == most) throw TooMany();
       pairs.push_back({a.faces[i], b.faces[j]});
-    });
+    };
+    if (fan.line)
+      BoxTree::overlaps(BoxTree(a.boxes), BoxTree(b.boxes), add);
+    else
+      for_each_pair_of_arcs(a.arcs, b.arcs, add);
   });
+  return true;
+} catch (const TooMany&) {
+  return false;
 }
 
 PerOperand<std::vector<FaceId>> CommonHubs::faces() const {

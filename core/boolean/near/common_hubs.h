@@ -3,6 +3,7 @@
 // faces are told apart by the directions in which they leave the line.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -30,8 +31,10 @@ class CommonHubs {
     return fan(Operand::a, slot_of_a, hub_of_a) == fan(Operand::b, slot_of_b, hub_of_b);
   }
 
-  /// Adds the pairs that leave a common hub, or line, in a common direction.
-  void add_pairs(FacePairs& pairs) const;
+  /// Adds the pairs that leave a common hub, or line, in a common direction. False: there are more
+  /// than `most` of all pairs, and not all were added.
+  bool add_pairs(FacePairs& pairs,
+                 std::size_t most = std::numeric_limits<std::size_t>::max()) const;
   /// The faces of all fans: they meet in their hubs. Some may be named twice.
   PerOperand<std::vector<FaceId>> faces() const;
   /// Those of fans on lines that are left out. What has an edge on such a line may touch them
@@ -58,7 +61,8 @@ class CommonHubs {
   void number_places();
   void find_lines();
   std::vector<Hubs::Spine> spines_between_places() const;
-  std::vector<Box> boxes(const Hub& h, std::uint32_t fan) const;
+  std::vector<Box> boxes_along_line(const Hub& h, std::uint32_t fan) const;
+  void add_faces(const Hub& h, std::uint32_t fan, Fan& to) const;
   template <class Visit>
   void for_each_fan(const Visit& visit) const;
 

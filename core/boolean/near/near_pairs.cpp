@@ -40,8 +40,7 @@ class NearPairs {
     const std::size_t most = for_each_face * faces_;
     FacePairs pairs = by_blocks(most);
     if (is_crowded() || count_ > most) return {};
-    hubs_.add_pairs(pairs);
-    if (pairs.size() > most) return {};
+    if (!hubs_.add_pairs(pairs, most)) return {};
     return pairs;
   }
 
