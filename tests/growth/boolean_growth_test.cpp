@@ -107,6 +107,37 @@ TEST(Growth, SpikesOnTheGroundBetweenEachOther) {
               n_log_n);
 }
 
+// n of them around an axis, flat and aslant: the directions of each are between those of very many
+// others as far as boxes tell.
+Solid flat_spikes(std::size_t n, double turn) {
+  PolygonMesh mesh;
+  const double step = 2 * std::numbers::pi / static_cast<double>(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a = step * (static_cast<double>(i) + turn), x = std::cos(a), y = std::sin(a);
+    const auto o = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.push_back({0, 0, 0});
+    for (const auto& [along, beside] : {std::pair(-0.8, 0.0), {0.8, 0.0}, {0.0, 0.2 * step}})
+      mesh.positions.push_back({x - y * (along + beside), y + x * (along + beside), along});
+    add({o, o + 1, o + 2}, mesh);
+    add({o, o + 2, o + 3}, mesh);
+    add({o, o + 3, o + 1}, mesh);
+    add({o + 3, o + 2, o + 1}, mesh);
+  }
+  return Solid::from_mesh(mesh);
+}
+
+TEST(Growth, BooleansOfFlatSpikesThatBeginInOnePoint) {
+  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract})
+    EXPECT_LT(growth(
+                  [&](std::size_t n) {
+                    const Solid a = flat_spikes(n, 0), b = flat_spikes(n, 0.5);
+                    boolean_by_cutting(a, a, Operation::unite, {});  // trees
+                    return [=] { boolean(a, b, operation); };
+                  },
+                  100),
+              n_log_n);
+}
+
 TEST(Growth, ImportOfABouquet) {
   EXPECT_LT(growth([](std::size_t n) { return [n] { bouquet(n); }; }, 250), n_log_n);
 }
