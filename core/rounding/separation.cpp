@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
 
 #include "numbers/threshold.h"
+#include "rounding/numbers_in_cone.h"
 #include "rounding/rounding_repair.h"
 #include "sectile/errors.h"
 
@@ -20,8 +22,6 @@ constexpr double greatest_reach = 64;
 // the vertex's cone are looked at.
 constexpr std::uint64_t least_tested = threshold<std::uint64_t>(100000, 10),
                         most_tested_for_each = threshold<std::uint64_t>(64, 1);
-// Lines within a wedge along which numbers are looked for.
-constexpr std::size_t most_ways = 12;
 // Of a step, where numbers are very much nearer to each other than steps.
 constexpr double least_fraction = 0x1p-30;
 constexpr std::uint32_t none = 0xFFFFFFFFu;
@@ -69,7 +69,7 @@ Separation::Result Separation::run() {
   ignore_flat(rounded_, kernel_);  // middles may have come to an end of their edge
   LocalChanges changes(rounded_, kernel_, cones_);
   most_tested_ = least_tested + most_tested_for_each * waiting.size();
-  waiting = move_all(changes, std::move(waiting));
+  waiting = move_within_cones(changes, move_all(changes, std::move(waiting)));
   std::size_t most = 1;
   for_each_touching([&](std::span<const Located> there) { most = std::max(most, there.size()); });
   for (const CommonEdge& edge : common) most = std::max(most, edge.wedges.size());
@@ -326,22 +326,17 @@ std::vector<Vec3> Separation::places_near(const LocalChanges& changes, std::uint
   return places;
 }
 
-// Within a thin wedge there are numbers only here and there: those nearest to some lines between
-// its neighbours, from half of the way on that is twice as far as what was looked at before.
+// Within a thin wedge there are numbers only here and there.
 std::vector<Vec3> Separation::places_within(const LocalChanges& changes, std::uint32_t vertex,
-                                            double step, double reach) const {
-  const Vec3 at = rounded_.position(vertex);
-  const std::vector<Vec3> ways = ways_from(changes, vertex);
-  const Vec3 amid = sum_of(ways), edge = to_edge(vertex);
-  std::vector<Vec3> places;
-  for (double far = std::floor(reach / 2) + 1; far <= reach; ++far)
-    for (std::size_t i = 0; i < std::min(ways.size(), most_ways); ++i) {
-      const Vec3 way{amid.x + ways[i].x, amid.y + ways[i].y, amid.z + ways[i].z};
-      const double of = far * step / std::hypot(way.x, way.y, way.z);
-      places.push_back(grid_.nearest({at.x + (edge.x + of * way.x), at.y + (edge.y + of * way.y),
-                                      at.z + (edge.z + of * way.z)}));
-    }
-  return places;
+                                            double far) const {
+  const Vec3 amid = sum_of(ways_from(changes, vertex));
+  const double size = std::hypot(amid.x, amid.y, amid.z);
+  if (!(size > 0)) return {};
+  const ThinCone cone{rounded_.position(vertex),
+                      to_edge(vertex),
+                      cones_.inward(vertex),
+                      {amid.x / size, amid.y / size, amid.z / size}};
+  return numbers_in_cone(grid_, cone, far, least_fraction * far);
 }
 
 // Those are left that found no place. A cone of very many at one place is left only as long as not
@@ -356,6 +351,27 @@ std::vector<std::uint32_t> Separation::move_all(LocalChanges& changes,
     });
   }
   return waiting;
+}
+
+// Of very many, those may go farther that need not be tested against all others. Those are left
+// that have no room, or tried all.
+std::vector<std::uint32_t> Separation::move_within_cones(LocalChanges& changes,
+                                                         std::vector<std::uint32_t> waiting) {
+  std::vector<std::uint32_t> left;
+  for (double reach = 2 * greatest_reach; !waiting.empty(); reach *= 2) {
+    changes.leave_room(4 * reach * greatest_step(waiting));
+    std::erase_if(waiting, [&](std::uint32_t v) {
+      check_cancel();
+      const double far = reach * grid_.step(rounded_.position(v));
+      if (is_alone(v)) return true;
+      if (may_leave_cone(changes, v) || !(far < room_around(changes, v))) {
+        left.push_back(v);
+        return true;
+      }
+      return move_to_one_of(changes, v, places_within(changes, v, far));
+    });
+  }
+  return left;
 }
 
 // Where one vertex finds no place, the others there are not looked at any more: it is too narrow.
@@ -389,6 +405,19 @@ void Separation::check_cancel() const {
   if (options_.cancel && options_.cancel->load(std::memory_order_relaxed)) throw Cancelled();
 }
 
+// As far as the nearest neighbour.
+double Separation::room_around(const LocalChanges& changes, std::uint32_t vertex) const {
+  const Vec3 at = rounded_.position(vertex);
+  double room = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t t : changes.star(vertex))
+    for (const std::uint32_t v : rounded_.corners[t]) {
+      const Vec3& p = rounded_.position(v);
+      const double away = std::hypot(p.x - at.x, p.y - at.y, p.z - at.z);
+      if (v != vertex) room = std::min(room, away);
+    }
+  return room;
+}
+
 // Of the neighbours' coordinates.
 double Separation::step_around(const LocalChanges& changes, std::uint32_t vertex) const {
   double step = 0;
@@ -402,8 +431,7 @@ double Separation::step_around(const LocalChanges& changes, std::uint32_t vertex
 // tried first, as there are numbers in all directions. What is thinner than a step has room where
 // small coordinates have numbers nearer to each other.
 bool Separation::move_apart(LocalChanges& changes, std::uint32_t vertex, double reach) {
-  const bool is_middle = std::binary_search(middles_.begin(), middles_.end(), vertex);
-  if (!is_middle && many_.at(place(vertex)) == 1) return true;
+  if (is_alone(vertex)) return true;
   const double step = grid_.step(rounded_.position(vertex));
   const double fraction = least_fraction * step_around(changes, vertex);
   const auto goes = [&](double far) {
@@ -414,7 +442,8 @@ bool Separation::move_apart(LocalChanges& changes, std::uint32_t vertex, double 
   };
   return (fraction > step && goes_steps(fraction)) || goes_steps(step) ||
          (!may_leave_cone(changes, vertex) &&
-          move_to_one_of(changes, vertex, places_within(changes, vertex, step, reach)));
+          move_to_one_of(changes, vertex,
+                         places_within(changes, vertex, reach * std::max(step, fraction))));
 }
 
 bool Separation::move_to_one_of(LocalChanges& changes, std::uint32_t vertex,
@@ -432,7 +461,7 @@ bool Separation::move_to_one_of(LocalChanges& changes, std::uint32_t vertex,
     }
     changes.keep();
     ++moved_;
-    if (!std::binary_search(middles_.begin(), middles_.end(), vertex)) --many_[before];
+    if (!is_middle(vertex)) --many_[before];
     many_[place(vertex)] = 1;
     return true;
   }
@@ -444,6 +473,14 @@ Vec3 Separation::to_edge(std::uint32_t vertex) const {
   const auto at = std::lower_bound(middles_.begin(), middles_.end(), vertex);
   if (at == middles_.end() || *at != vertex) return {0, 0, 0};
   return to_edge_[static_cast<std::size_t>(at - middles_.begin())];
+}
+
+bool Separation::is_middle(std::uint32_t vertex) const {
+  return std::binary_search(middles_.begin(), middles_.end(), vertex);
+}
+
+bool Separation::is_alone(std::uint32_t vertex) const {
+  return !is_middle(vertex) && many_.at(place(vertex)) == 1;
 }
 
 bool Separation::is_taken(const Vec3& p) const {

@@ -68,6 +68,8 @@ class Separation {
   std::uint32_t add_vertex(PointId point, const Vec3& origin, bool is_exact);
   std::vector<std::uint32_t> vertices_to_move() const;
   std::vector<std::uint32_t> move_all(LocalChanges& changes, std::vector<std::uint32_t> waiting);
+  std::vector<std::uint32_t> move_within_cones(LocalChanges& changes,
+                                               std::vector<std::uint32_t> waiting);
   std::vector<std::uint32_t> move_out_of_cones(LocalChanges& changes,
                                                const std::vector<std::uint32_t>& waiting);
   template <class Visit>
@@ -77,13 +79,16 @@ class Separation {
   bool move_apart(LocalChanges& changes, std::uint32_t vertex, double reach);
   bool move_to_one_of(LocalChanges& changes, std::uint32_t vertex, const std::vector<Vec3>& places);
   bool may_leave_cone(const LocalChanges& changes, std::uint32_t vertex) const;
+  double room_around(const LocalChanges& changes, std::uint32_t vertex) const;
   double step_around(const LocalChanges& changes, std::uint32_t vertex) const;
   double leaving(double from, double way) const;
   std::vector<Vec3> ways_from(const LocalChanges& changes, std::uint32_t vertex) const;
   std::vector<Vec3> places_near(const LocalChanges& changes, std::uint32_t vertex,
                                 double step) const;
-  std::vector<Vec3> places_within(const LocalChanges& changes, std::uint32_t vertex, double step,
-                                  double reach) const;
+  std::vector<Vec3> places_within(const LocalChanges& changes, std::uint32_t vertex,
+                                  double far) const;
+  bool is_middle(std::uint32_t vertex) const;
+  bool is_alone(std::uint32_t vertex) const;
   bool is_taken(const Vec3& place) const;
   Vec3 to_edge(std::uint32_t vertex) const;
   Place place(std::uint32_t vertex) const {

@@ -245,6 +245,19 @@ bool TouchingCones::seems_inside(std::uint32_t vertex, Vec3 way) const {
   });
 }
 
+std::vector<Vec3> TouchingCones::inward(std::uint32_t vertex) const {
+  const Member own = cone_at_.at(vertex);
+  const Site& site = sites_[own.site];
+  std::vector<Vec3> inward;
+  for (const PlaneId plane : site.cones[own.cone].planes) {
+    const auto& n = kernel_.value(plane).n;
+    const double size = std::hypot(n[0], n[1], n[2]),
+                 way = site.inside == Sign::positive ? 1 / size : -1 / size;
+    inward.push_back({way * n[0], way * n[1], way * n[2]});
+  }
+  return inward;
+}
+
 // Members may touch along a line through the site, and the material must alternate around it: so an
 // edge that stays on the boundary of the cone must be on such a line with a neighbour in the cone,
 // and the wedge between them must be convex. An edge across the tip of a fan is on no such line.

@@ -55,6 +55,8 @@ class TouchingCones {
   /// Does a vertex that goes some way from the tip of its cone, or from its edge, seem to come into
   /// the cone? Doubles are asked.
   bool seems_inside(std::uint32_t vertex, Vec3 way) const;
+  /// Across the planes of its cone, towards the inside, of length 1, as doubles say.
+  std::vector<Vec3> inward(std::uint32_t vertex) const;
 
   /// A vertex, around which there are these triangles, is at another place.
   void note_move(std::uint32_t vertex, std::span<const std::uint32_t> star);

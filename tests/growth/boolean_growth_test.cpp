@@ -182,13 +182,11 @@ TEST(Growth, ImportOfABookOfAllLengths) {
         << lows;
 }
 
-double growth_of_separation(const std::function<Solid(std::size_t)>& make, std::size_t n) {
+double growth_of_separation(const std::function<Solid(std::size_t)>& make, std::size_t n,
+                            Rounding rounding = {}) {
+  rounding.separate_touching = true;
   return growth(
-      [&](std::size_t m) {
-        Rounding rounding;
-        rounding.separate_touching = true;
-        return [rounding, solid = make(m)] { rounded_mesh(solid, rounding); };
-      },
+      [&](std::size_t m) { return [rounding, solid = make(m)] { rounded_mesh(solid, rounding); }; },
       n);
 }
 
@@ -198,12 +196,26 @@ TEST(Growth, SeparationOfABook) {
             n_log_n);
 }
 
+// The more walls there are, the farther from their edge is the next number within each.
+TEST(Growth, SeparationOfABookOnAGrid) {
+  Rounding grid;
+  grid.numbers = Rounding::Numbers::grid;
+  grid.spacing = 1e-6;
+  EXPECT_LT(
+      growth_of_separation(
+          [](std::size_t n) {
+            return transformed(Solid::from_mesh(book(n)), Transform::translation({0.3, 0.2, 0.1}));
+          },
+          400, grid),
+      n_log_n);
+}
+
 // Where there are few numbers in thin walls.
 Transform aslant() {
   return Transform::translation({0.3, 0.2, 0.1}) * Transform::rotation_degrees({1, 0.3, 0.7}, 20);
 }
 
-// Few walls find a number in their own material nearby. Those that do not are tested against all.
+// Most of it is the test whether rounded walls cross.
 TEST(Growth, SeparationOfASlantedBook) {
   EXPECT_LT(
       growth_of_separation(

@@ -122,6 +122,19 @@ TEST(SeparateCrowds, ABook) {
   expect_separated(book(20));
 }
 
+// There are a hundred steps, and more, from the edge to the next number in a wall.
+TEST(SeparateCrowds, ABookOfWallsThinnerThanSteps) {
+  const Solid walls = transformed(book(1600), Transform::translation({0.3, 0.2, 0.1}));
+  Rounding rounding;
+  rounding.numbers = Numbers::grid;
+  rounding.spacing = 0x1p-20;
+  rounding.separate_touching = true;
+  const RoundedMesh rounded = rounded_mesh(walls, rounding);
+  EXPECT_EQ(rounded.report.resolved, 0u);
+  EXPECT_EQ(test::manifold_fault(rounded.mesh), "");
+  EXPECT_EQ(Solid::from_mesh(rounded.mesh).counts().shells, 1600u);
+}
+
 TEST(SeparateCrowds, ABookThatWasCutOut) {
   expect_separated(boolean(around(), book(12), Operation::subtract));
 }
