@@ -22,10 +22,11 @@ constexpr double greatest_reach = 64;
 // the vertex's cone are looked at.
 constexpr std::uint64_t least_tested = threshold<std::uint64_t>(100000, 10),
                         most_tested_for_each = threshold<std::uint64_t>(64, 1);
+// And so many more, for each that finds no place there, to find one anywhere.
+constexpr std::uint64_t most_tested_out_of_cones = 20000;
 // Of a step, where numbers are very much nearer to each other than steps.
 constexpr double least_fraction = 0x1p-30;
 constexpr std::uint32_t none = 0xFFFFFFFFu;
-constexpr std::uint64_t no_limit = 0xFFFFFFFFFFFFFFFFu;
 
 std::size_t next(std::size_t k) {
   return k < 2 ? k + 1 : 0;
@@ -69,11 +70,12 @@ Separation::Result Separation::run() {
   ignore_flat(rounded_, kernel_);  // middles may have come to an end of their edge
   LocalChanges changes(rounded_, kernel_, cones_);
   most_tested_ = least_tested + most_tested_for_each * waiting.size();
-  waiting = move_within_cones(changes, move_all(changes, std::move(waiting)));
+  waiting = move_all(changes, std::move(waiting));
+  waiting = move_within_cones(changes, move_out_of_cones(changes, waiting));
   std::size_t most = 1;
   for_each_touching([&](std::span<const Located> there) { most = std::max(most, there.size()); });
   for (const CommonEdge& edge : common) most = std::max(most, edge.wedges.size());
-  return {moved_, most, move_out_of_cones(changes, waiting)};
+  return {moved_, most, std::move(waiting)};
 }
 
 void Separation::find_fans() {
@@ -353,8 +355,8 @@ std::vector<std::uint32_t> Separation::move_all(LocalChanges& changes,
   return waiting;
 }
 
-// Of very many, those may go farther that need not be tested against all others. Those are left
-// that have no room, or tried all.
+// Where nothing else helps, they may go farther if they need not be tested against all others.
+// Those are left that have no room for that.
 std::vector<std::uint32_t> Separation::move_within_cones(LocalChanges& changes,
                                                          std::vector<std::uint32_t> waiting) {
   std::vector<std::uint32_t> left;
@@ -364,7 +366,7 @@ std::vector<std::uint32_t> Separation::move_within_cones(LocalChanges& changes,
       check_cancel();
       const double far = reach * grid_.step(rounded_.position(v));
       if (is_alone(v)) return true;
-      if (may_leave_cone(changes, v) || !(far < room_around(changes, v))) {
+      if (cones_.cones_beside(v) == 0 || !(far < room_around(changes, v))) {
         left.push_back(v);
         return true;
       }
@@ -374,12 +376,13 @@ std::vector<std::uint32_t> Separation::move_within_cones(LocalChanges& changes,
   return left;
 }
 
-// Where one vertex finds no place, the others there are not looked at any more: it is too narrow.
+// Where one vertex finds no place, the others there are not
+// looked at any more: it is too narrow.
 std::vector<std::uint32_t> Separation::move_out_of_cones(
     LocalChanges& changes, const std::vector<std::uint32_t>& waiting) {
   const auto has_tried_all = [&](std::uint32_t v) { return may_leave_cone(changes, v); };
   if (std::any_of(waiting.begin(), waiting.end(), has_tried_all)) return waiting;
-  most_tested_ = no_limit;
+  most_tested_ = changes.tested_pairs() + most_tested_out_of_cones * waiting.size();
   std::set<Place> narrow;
   std::vector<std::uint32_t> cramped;
   for (const std::uint32_t v : waiting) {
