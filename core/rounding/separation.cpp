@@ -376,8 +376,7 @@ std::vector<std::uint32_t> Separation::move_within_cones(LocalChanges& changes,
   return left;
 }
 
-// Where one vertex finds no place, the others there are not
-// looked at any more: it is too narrow.
+// Where one vertex finds no place, the others there are not looked at any more: it is too narrow.
 std::vector<std::uint32_t> Separation::move_out_of_cones(
     LocalChanges& changes, const std::vector<std::uint32_t>& waiting) {
   const auto has_tried_all = [&](std::uint32_t v) { return may_leave_cone(changes, v); };

@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "append_mesh.h"
 #include "growth/steps.h"
 #include "needles.h"
 #include "sectile/boolean.h"
@@ -125,6 +126,27 @@ TEST(Growth, DiscsFlushInRings) {
                 },
                 100),
             n_log_n);
+}
+
+// Hexagonal tubes around each other, which all stand on one floor.
+Solid tubes_in_tubes(std::uint32_t count) {
+  PolygonMesh all;
+  for (std::uint32_t i = 1; i <= count; ++i) {
+    const Solid tube = boolean(prism(i + 0.5, 1, 6), prism(i, 1, 6), Operation::subtract);
+    test::append(tube.to_mesh(), all);
+  }
+  return Solid::from_mesh(all);
+}
+
+TEST(Growth, TubesInTubesOnAFloor) {
+  EXPECT_LT(growth(
+                [](std::size_t n) {
+                  const auto count = static_cast<std::uint32_t>(n);
+                  const double size = count + 2;
+                  return unite({tubes_in_tubes(count), block({-size, -size, -1}, {size, size, 0})});
+                },
+                50),
+            1.6);
 }
 
 TEST(Growth, SmallTetrahedraInASlantedOne) {

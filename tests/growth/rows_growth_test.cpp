@@ -57,7 +57,7 @@ TEST_P(RowGrowth, RepairOfARowBesideBlocksThatCross) {
       options.rule = rule;
       return [=] { repair(mesh, options); };
     };
-    EXPECT_LT(growth(with_blocks, 200), n_log_n);
+    EXPECT_LT(growth(with_blocks, 400), n_log_n);
   }
 }
 

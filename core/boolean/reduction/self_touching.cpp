@@ -1,6 +1,7 @@
 // An operand may touch itself: one of its edges lies in one of its faces. Where that face is flush
 // with a face of the other operand, no test of a pair has seen that it holds the edge's segments.
 #include <algorithm>
+#include <array>
 
 #include "boolean/collect.h"
 #include "boolean/face_location.h"
@@ -8,6 +9,7 @@
 #include "boolean/reduction/contact_table.h"
 #include "boolean/reduction/standing.h"
 #include "search/face_corners.h"
+#include "search/face_triangles.h"
 #include "search/piece_tree.h"
 #include "sectile/errors.h"
 
@@ -27,28 +29,36 @@ class EdgesInFaces {
       std::vector<PieceTree::Edge> edges;
       for (to = from; to < order_.size() && face(order_[to]) == face(order_[from]); ++to)
         edges.push_back({end(order_[to], 0), end(order_[to], 1)});
-      groups_.push_back({face(order_[from]), from, PieceTree(edges)});
+      groups_.push_back({face(order_[from]), from, to, PieceTree(edges)});
     }
   }
 
-  /// Replaces `found` by the records in a face that come near a polygon, ascending.
-  void find(FaceId in, std::span<const Vec3> near, std::vector<std::uint32_t>& found) const {
-    found.clear();
-    const auto group = std::partition_point(groups_.begin(), groups_.end(),
-                                            [&](const Group& g) { return g.face < in; });
-    if (group == groups_.end() || group->face != in) return;
-    PieceTree::overlaps(group->tree, PieceTree(near), [&](std::uint32_t i, std::uint32_t) {
+  /// How many records there are in a face.
+  std::size_t count(FaceId in) const {
+    const Group* group = find(in);
+    return group ? group->end - group->first : 0;
+  }
+  /// Adds the records in a face that come near a polygon.
+  void add_near(FaceId in, std::span<const Vec3> polygon, std::vector<std::uint32_t>& found) const {
+    const Group* group = find(in);
+    if (!group) return;
+    PieceTree::overlaps(group->tree, PieceTree(polygon), [&](std::uint32_t i, std::uint32_t) {
       found.push_back(order_[group->first + i]);
     });
-    std::sort(found.begin(), found.end());
   }
 
  private:
   struct Group {
     FaceId face;
-    std::uint32_t first;
+    std::uint32_t first, end;
     PieceTree tree;
   };
+
+  const Group* find(FaceId in) const {
+    const auto group = std::partition_point(groups_.begin(), groups_.end(),
+                                            [&](const Group& g) { return g.face < in; });
+    return group != groups_.end() && group->face == in ? &*group : nullptr;
+  }
 
   FaceId face(std::uint32_t record) const { return found_.segments[record].on[other(s_)].face(); }
   const Vec3& end(std::uint32_t record, int which) const {
@@ -70,15 +80,38 @@ class TouchedFaces {
   void operator()(const PairOfFaces& pair, SegmentRecords& out) const {
     if (patch().unbounded) return;
     const FaceId mine = pair.face[s_], across = pair.face[other(s_)];
-    std::vector<std::uint32_t> near;
-    with_outer_corners(patch().brep, w_.geometry, mine,
-                       [&](std::span<const Vec3> corners) { edges_.find(across, corners, near); });
-    for (const std::uint32_t r : near)
+    for (const std::uint32_t r : records_near(mine, across))
       if (!borders(found_.segments[r].on[s_].edge(), mine)) add(found_.segments[r], mine, out);
   }
 
  private:
   const Patch& patch() const { return w_.patch[s_]; }
+  // Those in a face that come near another one.
+  std::vector<std::uint32_t> records_near(FaceId mine, FaceId across) const {
+    const Brep& brep = patch().brep;
+    std::vector<std::uint32_t> near;
+    if (may_lie_in_holes(mine, edges_.count(across))) {
+      for (const std::array<Vec3, 3>& triangle : face_triangles(brep, kernel_, mine))
+        edges_.add_near(across, triangle, near);
+    } else {
+      with_outer_corners(brep, w_.geometry, mine, [&](std::span<const Vec3> corners) {
+        edges_.add_near(across, corners, near);
+      });
+    }
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    return near;
+  }
+
+  // Very many of so many? As where rings lie in rings.
+  bool may_lie_in_holes(FaceId f, std::size_t records) const {
+    const Brep& brep = patch().brep;
+    if (!brep.next_loop[brep.outer_loop[f]].valid()) return false;
+    std::size_t corners = 0;
+    for_each_in_face(brep, f, [&](HalfEdgeId) { ++corners; });
+    return records > corners;
+  }
+
   bool borders(EdgeId e, FaceId f) const {
     const Brep& brep = patch().brep;
     return brep.face_of(Brep::half_edge(e, 0)) == f || brep.face_of(Brep::half_edge(e, 1)) == f;
