@@ -53,6 +53,10 @@ std::size_t count_pairs(const Solid& a, const Solid& b) {
 TEST(FlatSpikes, BesideEachOtherAreInFewPairs) {
   const Solid a = flat_spikes(0, 0.7), b = flat_spikes(0.5, 0.7);
   EXPECT_LT(count_pairs(a, b), std::size_t(12 * many));
+}
+
+TEST(FlatSpikes, BesideEachOtherMeetInOnePoint) {
+  const Solid a = flat_spikes(0, 0.7), b = flat_spikes(0.5, 0.7);
   EXPECT_EQ(boolean(a, b, Operation::unite).counts().shells, std::size_t(2 * many));
   EXPECT_TRUE(boolean(a, b, Operation::intersect).is_empty());
   expect_the_same_for_an_observer(a, b);
