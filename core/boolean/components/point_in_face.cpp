@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "boolean/face_location.h"
 #include "geometry/axes.h"
 #include "geometry/probe.h"
+#include "geometry/x_ray.h"
 
 namespace sectile {
 namespace {
@@ -30,6 +30,28 @@ PointId point_beside_corner(Workspace& w, const Patch& patch, FaceId face, HalfE
   return made;
 }
 
+// On a line through an edge: is it on the edge?
+bool is_between(const Kernel& kernel, PointId from, PointId p, PointId to) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (kernel.compare(from, p, axis) * kernel.compare(p, to, axis) == Sign::negative) return false;
+  return true;
+}
+
+// Off all edges? Needs no planes through these (Patch::side_plane).
+bool is_within(const Kernel& kernel, const Brep& brep, FaceId face, PointId p) {
+  const int axis = kernel.main_axis(brep.plane[face]), next = next_axis(axis);
+  XRayParity parity;
+  bool is_on_edge = false;
+  for_each_in_face(brep, face, [&](HalfEdgeId h) {
+    const PointId u = brep.point_of(brep.from(h)), v = brep.point_of(brep.to(h));
+    const Sign turn = kernel.turn(u, v, p, axis);
+    is_on_edge |= turn == Sign::zero && is_between(kernel, u, p, v);
+    parity.add(kernel.compare(p, u, next) == Sign::positive,
+               kernel.compare(p, v, next) == Sign::positive, [&] { return turn; });
+  });
+  return !is_on_edge && parity.odd();
+}
+
 }  // namespace
 
 PointId point_in_face(Workspace& w, const Patch& patch, FaceId face, double part,
@@ -37,11 +59,9 @@ PointId point_in_face(Workspace& w, const Patch& patch, FaceId face, double part
   std::vector<HalfEdgeId> corners;
   for_each_in_loop(patch.brep, patch.brep.outer_loop[face],
                    [&](HalfEdgeId h) { corners.push_back(h); });
-  std::vector<Entity> found;
   for (const HalfEdgeId corner : corners) {
     const PointId made = point_beside_corner(w, patch, face, corner, part);
-    locate(w.tests(), patch, face, Probe(w.tests(), made), found);
-    if (found.size() == 1 && found.front() == Entity(face) && take(made)) return made;
+    if (is_within(w.tests(), patch.brep, face, made) && take(made)) return made;
   }
   return {};
 }
