@@ -327,8 +327,9 @@ class Labelling {
   // Within a face that hangs together with one that is not loaded, and is off the other boundary as
   // that is.
   PointId point_within(std::uint32_t s, FaceId f) {
-    const auto is_off = [&](std::uint32_t t, FaceId g) {
-      return !rest_.is_loaded(t, g) && w_.common_faces.differs(operand_, t, g);
+    const auto is_off = [&](const FaceAt& at) {
+      return !rest_.is_loaded(at.slot, at.face) &&
+             w_.common_faces.differs(operand_, at.slot, at.face);
     };
     const auto steep = steep_face_near(solid(), {s, f}, is_off);
     if (!steep) return {};

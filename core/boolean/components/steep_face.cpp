@@ -20,24 +20,23 @@ double steepness(const Block& block, FaceId face) {
 
 }  // namespace
 
-std::optional<SteepFace> steep_face_near(
-    const SolidData& solid, SteepFace start,
-    const std::function<bool(std::uint32_t slot, FaceId face)>& free) {
-  std::optional<SteepFace> steepest;
+std::optional<FaceAt> steep_face_near(const SolidData& solid, const FaceAt& start,
+                                      const std::function<bool(const FaceAt&)>& free) {
+  std::optional<FaceAt> steepest;
   double most = 0;
-  std::vector<SteepFace> faces{start};
-  const auto add = [&](std::uint32_t slot, FaceId face) {
+  std::vector<FaceAt> faces{start};
+  const auto add = [&](const FaceAt& at) {
     const bool known = std::ranges::any_of(
-        faces, [&](const SteepFace& f) { return f.slot == slot && f.face == face; });
-    if (!known && faces.size() < most_faces && free(slot, face)) faces.push_back({slot, face});
+        faces, [&](const FaceAt& f) { return f.slot == at.slot && f.face == at.face; });
+    if (!known && faces.size() < most_faces && free(at)) faces.push_back(at);
   };
   for (std::size_t i = 0; i < faces.size() && most < 1; ++i) {
-    const SteepFace at = faces[i];
+    const FaceAt at = faces[i];
     const Block& block = *solid.slot(at.slot).block;
     if (const double steep = steepness(block, at.face); steep > most) most = steep, steepest = at;
     for_each_in_face(block.brep(), at.face, [&](HalfEdgeId h) {
       const SolidData::Neighbour beyond = solid.across(at.slot, h);
-      add(beyond.slot, solid.slot(beyond.slot).block->brep().face_of(beyond.local));
+      add({beyond.slot, solid.slot(beyond.slot).block->brep().face_of(beyond.local)});
     });
   }
   return steepest;

@@ -6,15 +6,10 @@
 #include <vector>
 
 #include "boolean/tables.h"
+#include "storage/face_at.h"
 #include "storage/solid_data.h"
 
 namespace sectile {
-
-/// A face of a slot.
-struct FaceAt {
-  std::uint32_t slot;
-  FaceId face;
-};
 
 /// Not for several threads at a time.
 class FaceMatch {
