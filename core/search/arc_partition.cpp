@@ -1,9 +1,12 @@
 #include "search/arc_partition.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "numbers/rounding.h"
+#include "numbers/threshold.h"
 #include "search/approximate.h"
+#include "search/box_tree.h"
 
 namespace sectile {
 
@@ -32,6 +35,14 @@ std::vector<double> bends(const Vec3& from, const Vec3& to) {
   add(from.z + from.x, to.z + to.x);
   std::ranges::sort(bends);
   return bends;
+}
+
+// The radius is greater than what is rounded here.
+Box box_around(const SpacePartition::Rod& r) {
+  Bounds bounds;
+  for (const Vec3& p : {r.from, r.to})
+    for (const double by : {-r.radius, r.radius}) bounds.add({p.x + by, p.y + by, p.z + by});
+  return bounds.box();
 }
 
 // Is a rod on one side of the plane through the other one and the middle of the cube?
@@ -71,14 +82,34 @@ void ArcPartition::Rods::add(const SeenArc& seen, std::uint32_t number, std::uin
   }
 }
 
-ArcPartition::ArcPartition(std::span<const SeenArc> arcs, std::span<const std::uint32_t> labels)
-    : rods_([&] {
-        Rods rods;
-        for (std::uint32_t i = 0; i < arcs.size(); ++i)
-          rods.add(arcs[i], i, labels.empty() ? SpacePartition::no_label : labels[i]);
-        return rods;
-      }()),
-      space_(rods_.rod, rods_.label) {}
+ArcPartition::ArcPartition(std::span<const SeenArc> arcs, std::span<const std::uint32_t> labels) {
+  for (std::uint32_t i = 0; i < arcs.size(); ++i)
+    rods_.add(arcs[i], i, labels.empty() ? SpacePartition::no_label : labels[i]);
+}
+
+std::optional<std::vector<std::pair<std::uint32_t, std::uint32_t>>> ArcPartition::few_by_boxes()
+    const {
+  constexpr std::size_t for_each = threshold(16, 1), at_a_time = 64;
+  std::vector<Box> boxes;
+  boxes.reserve(rods_.rod.size());
+  for (const SpacePartition::Rod& r : rods_.rod) boxes.push_back(box_around(r));
+  const BoxTree tree(boxes);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  std::size_t overlaps = 0;
+  const auto add = [&](std::uint32_t i, std::uint32_t j) {
+    if (rods_.label[i] == rods_.label[j] && rods_.label[i] != SpacePartition::no_label) return;
+    if (++overlaps > for_each * boxes.size() || rods_.arc[i] == rods_.arc[j]) return;
+    if (!are_apart(rods_.rod[i], rods_.rod[j]))
+      pairs.push_back(std::minmax(rods_.arc[i], rods_.arc[j]));
+  };
+  for (const BoxTree::SelfPart& part : tree.self_parts(at_a_time)) {
+    tree.self_overlaps(part, add);
+    if (overlaps > for_each * boxes.size()) return {};
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
 
 bool ArcPartition::are_apart(const SpacePartition::Rod& r, const SpacePartition::Rod& s) {
   return is_beside(r, s) || is_beside(s, r);

@@ -1,13 +1,16 @@
 // Which of very many arcs of directions meet (search/seen_arc.h).
 //
-// On the surface of a cube around the point from which they are seen, arcs are line segments. The
-// cube is divided by planes until there are few in each part of it.
+// On the surface of a cube around the point from which they are seen, arcs are line segments. As a
+// rule few of their boxes overlap; where arcs are long and aslant very many do, and then the cube
+// is divided by planes until there are few in each part of it.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "search/seen_arc.h"
@@ -23,9 +26,14 @@ class ArcPartition {
   /// Calls visit(i, j), i < j, once for each two arcs that meet, and for few others.
   template <class Visit>
   void for_each_pair(const Visit& visit) const {
+    if (const auto pairs = few_by_boxes()) {
+      for (const auto& [i, j] : *pairs) visit(i, j);
+      return;
+    }
     std::unordered_set<std::uint64_t> known;
-    for (const SpacePartition::Cell& cell : space_.cells(1))
-      space_.for_each_pair(cell, [&](std::uint32_t i, std::uint32_t j) {
+    const SpacePartition space(rods_.rod, rods_.label);
+    for (const SpacePartition::Cell& cell : space.cells(1))
+      space.for_each_pair(cell, [&](std::uint32_t i, std::uint32_t j) {
         const auto [f, g] = std::minmax(rods_.arc[i], rods_.arc[j]);
         if (f != g && !are_apart(rods_.rod[i], rods_.rod[j]) &&
             known.insert(std::uint64_t(f) << 32 | g).second)
@@ -42,9 +50,10 @@ class ArcPartition {
   };
 
   static bool are_apart(const SpacePartition::Rod& r, const SpacePartition::Rod& s);
+  /// The pairs, if boxes tell most of them apart.
+  std::optional<std::vector<std::pair<std::uint32_t, std::uint32_t>>> few_by_boxes() const;
 
   Rods rods_;
-  SpacePartition space_;
 };
 
 /// Calls visit(i, j) for arc i of the first ones and j of the others, as above.

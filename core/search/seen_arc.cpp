@@ -86,22 +86,26 @@ double SeenArc::distance(const Vec3& direction) const {
 // that add up to one is longer than (1 - e) s / 2, so that it is off by 2 e / s (1 - e) beside its
 // length; that is less than 1/4, with unit vectors less than 1.02 times as much.
 SeenArc SeenArc::from_corner(const Vec3& corner, std::span<const Vec3> others) {
-  std::vector<Vec3> directions;
+  std::array<Vec3, 4> few;
+  std::vector<Vec3> many(others.size() > few.size() ? others.size() : 0);
+  const std::span<Vec3> directions =
+      std::span(many.empty() ? few.data() : many.data(), others.size());
   double error = roundings;
-  for (const Vec3& p : others) {
-    const auto to = direction(corner, p);
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const auto to = direction(corner, others[i]);
     if (!to) return {};
-    directions.push_back(to->way);
+    directions[i] = to->way;
     error = std::max(error, to->error);
   }
   if (directions.empty()) return {};
-  const Vec3 first = farthest_from(directions[0], directions),
-             last = farthest_from(first, directions);
+  const Vec3 &first = farthest_from(directions[0], directions),
+             &last = farthest_from(first, directions);
   const double sum = length(first + last);
   if (!(coarsest * sum > error)) return {};
   SeenArc arc = between(first, last);
   double off = 0;
-  for (const Vec3& d : directions) off = std::max(off, arc.distance(d));
+  for (const Vec3& d : directions)
+    if (&d != &first && &d != &last) off = std::max(off, arc.distance(d));
   arc.error_ = 2.5 * (off + error) / sum;
   return arc.error_ < coarsest ? arc : SeenArc();
 }
