@@ -40,6 +40,18 @@ function(sectile_target name)
   endif()
 endfunction()
 
+# sectile_one_source_per_folder(TARGET): compiles the sources of each folder as one, which takes half
+# the time where all are built once. Names of one folder differ, so that this can be done.
+function(sectile_one_source_per_folder name)
+  get_target_property(sources ${name} SOURCES)
+  foreach(source ${sources})
+    cmake_path(GET source PARENT_PATH folder)
+    string(MAKE_C_IDENTIFIER "${folder}" group)
+    set_source_files_properties(${source} TARGET_DIRECTORY ${name} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # sectile_without_precompiled_headers(TARGET SOURCES...): GCC's <string> silences three warnings of
 # its own by pragmas (-Wstringop-overflow, -Wstringop-overread, -Warray-bounds), and these are lost
 # when it is precompiled. Sources in which such a warning then appears do without.

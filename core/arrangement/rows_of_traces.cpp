@@ -13,7 +13,7 @@ namespace sectile::arrangement {
 namespace {
 
 // Fewer are not worth looking at.
-constexpr std::size_t many = threshold(24, 1);
+constexpr std::size_t many_edges = threshold(24, 1);
 
 std::vector<PointId> ends_of(const std::vector<Piece>& traces) {
   std::vector<PointId> ends;
@@ -83,7 +83,7 @@ std::vector<Piece> take_rows(const Kernel& kernel, std::vector<Piece>& traces) {
 }
 
 void divide_rows(const Kernel& kernel, std::vector<Piece>& traces) {
-  if (traces.size() < many) return;
+  if (traces.size() < many_edges) return;
   const std::vector<PointId> ends = ends_of(traces);
   const auto number = [&](PointId p) {
     return static_cast<std::uint32_t>(std::lower_bound(ends.begin(), ends.end(), p) - ends.begin());
@@ -93,7 +93,7 @@ void divide_rows(const Kernel& kernel, std::vector<Piece>& traces) {
   std::vector<std::uint8_t> in_row(traces.size(), 0);
   std::vector<Piece> stretches;
   for (const EdgesOfLine& line : edges_by_line(kernel, ends, edges)) {
-    if (line.edges.size() < many || line.beside < 2 * line.edges.size()) continue;
+    if (line.edges.size() < many_edges || line.beside < 2 * line.edges.size()) continue;
     std::vector<Piece> row;
     for (const PointPair& edge : line.edges) {
       const auto at = std::lower_bound(edges.begin(), edges.end(), edge) - edges.begin();

@@ -69,9 +69,9 @@ class Groups {
   }
 
   std::vector<std::uint32_t> edges_in_rows(std::uint32_t f) const {
-    constexpr std::uint32_t many = 16;
+    constexpr std::uint32_t few = 16;
     std::vector<std::uint32_t> edges;
-    if (rows_.empty() || facets_.size(f) > many) return edges;
+    if (rows_.empty() || facets_.size(f) > few) return edges;
     for (std::uint32_t c = facets_.begin(f); c < facets_.end(f); ++c)
       if (rows_.of(facets_.from(c), facets_.to(c)) != none) edges.push_back(c);
     return edges;

@@ -13,7 +13,7 @@
 namespace sectile {
 namespace {
 
-constexpr std::size_t piece = std::size_t{1} << 20;
+constexpr std::size_t piece_size = std::size_t{1} << 20;
 
 [[noreturn]] void fail(std::string_view name, const char* doing, int error) {
   throw FileError(std::string(name) + ": cannot " + doing + ": " + std::strerror(error));
@@ -64,7 +64,7 @@ std::string content_of(const std::filesystem::path& path) {
   std::size_t size = 0;
   while (const std::size_t count = file.read(content.data() + size, content.size() - size)) {
     size += count;
-    if (size == content.size()) content.resize(2 * size + piece);
+    if (size == content.size()) content.resize(2 * size + piece_size);
   }
   content.resize(size);
   return require_content(std::move(content), path.string());
@@ -74,7 +74,7 @@ std::string content_of(std::istream& in, std::string_view name) {
   std::string content;
   std::size_t size = 0;
   do {
-    content.resize(2 * size + piece);
+    content.resize(2 * size + piece_size);
     in.read(content.data() + size, static_cast<std::streamsize>(content.size() - size));
     size += static_cast<std::size_t>(in.gcount());
   } while (in);

@@ -113,11 +113,11 @@ class ObjReader final : private std::streambuf {
       const std::size_t first = at;
       while (at < corner.size() && corner[at] >= '0' && corner[at] <= '9') ++at;
       if (at - first > most_digits)
-        scan_.fail(quoted(corner) + " holds a number that is too large");
+        scan_.fail(in_quotes(corner) + " holds a number that is too large");
       const bool end = at == corner.size();
       const bool may_be_absent = part > 0 && !negative;
       if ((at == first && !may_be_absent) || (!end && (corner[at] != '/' || part == 2)))
-        scan_.fail(quoted(corner) + " is not a corner, which is like 7, 7/2, 7//3 or 7/2/3");
+        scan_.fail(in_quotes(corner) + " is not a corner, which is like 7, 7/2, 7//3 or 7/2/3");
       if (end) return;
       ++at;
     }
@@ -143,8 +143,8 @@ class ObjReader final : private std::streambuf {
   // Statements without geometry may be passed over; others would be lost.
   void pass_over(std::string_view keyword) {
     if (is_among(keyword, other_elements))
-      scan_.fail(quoted(keyword) + " elements do not bound solids; remove them");
-    if (!is_among(keyword, harmless)) scan_.fail("unknown statement " + quoted(keyword));
+      scan_.fail(in_quotes(keyword) + " elements do not bound solids; remove them");
+    if (!is_among(keyword, harmless)) scan_.fail("unknown statement " + in_quotes(keyword));
     while (!scan_.token().empty()) continue;
   }
 

@@ -28,7 +28,7 @@ class OffReader {
   void read_keyword() {
     const std::string_view keyword = scan_.token_on_any_line("\"OFF\"");
     if (keyword != "OFF" && keyword != "COFF" && keyword != "NOFF" && keyword != "CNOFF")
-      scan_.fail("\"OFF\" is expected, not " + quoted(keyword));
+      scan_.fail("\"OFF\" is expected, not " + in_quotes(keyword));
     has_more_ = keyword != "OFF";
   }
 

@@ -32,7 +32,7 @@ class TextItems {
   void begin_item() { first_ = scan_.token_on_any_line("another item"); }
   void end_item() {
     if (const std::string_view more = value(); !more.empty())
-      fail(quoted(more) + " is more than the item has properties");
+      fail(in_quotes(more) + " is more than the item has properties");
   }
   void end() { scan_.require_end("the last item"); }
 

@@ -61,13 +61,13 @@ class HeaderReader {
   // Old programs write a line like "Created by …" and forget the word "comment". Further below an
   // unknown word is rather a keyword with a slip, and what follows would be misread.
   void pass_over(std::string_view word) {
-    if (!header_.elements.empty()) scan_.fail("unknown word " + quoted(word) + " in the header");
+    if (!header_.elements.empty()) scan_.fail("unknown word " + in_quotes(word) + " in the header");
     while (!scan_.token().empty()) continue;
   }
 
   void require_line_end() {
     if (const std::string_view more = scan_.token(); !more.empty())
-      scan_.fail(quoted(more) + " is too much in this line of the header");
+      scan_.fail(in_quotes(more) + " is too much in this line of the header");
   }
 
   void read_format() {
@@ -79,9 +79,9 @@ class HeaderReader {
     else if (word == "binary_big_endian")
       header_.encoding = Encoding::big;
     else if (word != "ascii")
-      scan_.fail("unknown format " + quoted(word));
+      scan_.fail("unknown format " + in_quotes(word));
     if (const std::string_view version = scan_.token(); version != "1.0")
-      scan_.fail("version 1.0 is expected, not " + quoted(version));
+      scan_.fail("version 1.0 is expected, not " + in_quotes(version));
   }
 
   // Every item takes at least a byte; no file can claim more memory than it is worth.
@@ -99,7 +99,7 @@ class HeaderReader {
     const auto found = std::find_if(types.begin(), types.end(), [&](const Type& type) {
       return word == type.name || word == type.other_name;
     });
-    if (found == types.end()) scan_.fail("unknown type " + quoted(word));
+    if (found == types.end()) scan_.fail("unknown type " + in_quotes(word));
     return static_cast<Scalar>(found - types.begin());
   }
 
@@ -118,7 +118,7 @@ class HeaderReader {
     if (property.name.empty()) scan_.fail("a property without a name");
     property.role = role_of(property, element);
     if (property.role != Role::none && has(element, property.role))
-      scan_.fail("a second property " + quoted(property.name));
+      scan_.fail("a second property " + in_quotes(property.name));
     if (property.role == Role::corners && is_real(property.type))
       scan_.fail("vertex numbers must be integers");
     element.properties.push_back(std::move(property));
@@ -143,7 +143,7 @@ class HeaderReader {
     std::vector<std::string_view> seen;
     for (const Element& element : header_.elements) {
       if (std::find(seen.begin(), seen.end(), element.name) != seen.end())
-        scan_.fail("a second element " + quoted(element.name));
+        scan_.fail("a second element " + in_quotes(element.name));
       seen.push_back(element.name);
       if (element.count > 0) check_element(element, seen);
     }
@@ -151,7 +151,7 @@ class HeaderReader {
 
   void check_element(const Element& element, const std::vector<std::string_view>& seen) const {
     if (element.properties.empty())
-      scan_.fail("element " + quoted(element.name) + " has no properties");
+      scan_.fail("element " + in_quotes(element.name) + " has no properties");
     if (element.name == "tristrips")
       scan_.fail("triangle strips are not read; write the mesh as faces");
     if (element.is_vertex())

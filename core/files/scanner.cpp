@@ -22,7 +22,7 @@ std::string_view Scanner::token_on_any_line(const char* what) {
 void Scanner::require_end(const std::string& what_ended) {
   do {
     if (const std::string_view more = token(); !more.empty())
-      fail(quoted(more) + " follows after " + what_ended);
+      fail(in_quotes(more) + " follows after " + what_ended);
   } while (next_line());
 }
 
@@ -33,25 +33,25 @@ double Scanner::unusual_real(std::string_view token, const char* what) const {
   const char* end = token.data() + token.size();
   const auto [rest, error] = std::from_chars(without_plus(token), end, value);
   if (error == std::errc::invalid_argument || rest != end)
-    fail(std::string(what) + " " + quoted(token) + " is not a number");
+    fail(std::string(what) + " " + in_quotes(token) + " is not a number");
   if (error == std::errc::result_out_of_range) {
     // from_chars does not tell numbers that round to zero from those that are too large.
     static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);
     value = strtod_l(std::string(token).c_str(), nullptr, plain);
     if (!std::isfinite(value))
-      fail(std::string(what) + " " + quoted(token) + " is outside the range of doubles");
+      fail(std::string(what) + " " + in_quotes(token) + " is outside the range of doubles");
   }
-  if (!std::isfinite(value)) fail(std::string(what) + " " + quoted(token) + " is not finite");
+  if (!std::isfinite(value)) fail(std::string(what) + " " + in_quotes(token) + " is not finite");
   return value;
 }
 
 void Scanner::fail_integer(std::string_view token, const char* what, bool too_large) const {
   if (token.empty()) fail(std::string(what) + " is missing");
-  fail(std::string(what) + " " + quoted(token) +
+  fail(std::string(what) + " " + in_quotes(token) +
        (too_large ? " is too large" : " is not an integer"));
 }
 
-std::string quoted(std::string_view token) {
+std::string in_quotes(std::string_view token) {
   constexpr std::size_t longest = 40;
   std::string text = "\"";
   for (const char c : token.substr(0, longest)) text += c >= ' ' && c <= '~' ? c : '?';

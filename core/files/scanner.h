@@ -113,6 +113,6 @@ class Scanner {
 };
 
 /// A token as messages show it: in quotes, not too long, only printable characters.
-std::string quoted(std::string_view token);
+std::string in_quotes(std::string_view token);
 
 }  // namespace sectile

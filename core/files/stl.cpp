@@ -37,7 +37,7 @@ class TextReader {
       if (is_word(word, "facet"))
         read_facet();
       else if (!is_word(word, "endsolid"))
-        scan_.fail("\"facet\" or \"endsolid\" is expected, not " + quoted(word));
+        scan_.fail("\"facet\" or \"endsolid\" is expected, not " + in_quotes(word));
       else if (!find_next_solid())
         return std::move(mesh_);
     }
@@ -47,14 +47,14 @@ class TextReader {
   void expect(const char* word) {
     const std::string wanted = "\"" + std::string(word) + "\"";
     const std::string_view found = scan_.token_on_any_line(wanted.c_str());
-    if (!is_word(found, word)) scan_.fail(wanted + " is expected, not " + quoted(found));
+    if (!is_word(found, word)) scan_.fail(wanted + " is expected, not " + in_quotes(found));
   }
 
   bool find_next_solid() {
     while (scan_.next_line()) {
       const std::string_view word = scan_.token();
       if (is_word(word, "solid")) return true;
-      if (!word.empty()) scan_.fail("\"solid\" is expected, not " + quoted(word));
+      if (!word.empty()) scan_.fail("\"solid\" is expected, not " + in_quotes(word));
     }
     return false;
   }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* model_part = "3D/3dmodel.model";
 // lib3mf reads no larger ones.
-constexpr float most = 1e9f;
+constexpr float most_coordinate = 1e9f;
 
 [[noreturn]] void fail(std::string_view name, const std::string& why) {
   throw FileError(std::string(name) + ": cannot write: " + why);
@@ -120,7 +120,9 @@ class EmptyPackage {
 // ---- the meshes
 
 void write_vertices(Sink& out, const PolygonMesh& mesh, std::string_view name) {
-  const auto number = [&](double value) { return writable_float(value, name, "3MF", most); };
+  const auto number = [&](double value) {
+    return writable_float(value, name, "3MF", most_coordinate);
+  };
   for (const Vec3& p : mesh.positions)
     out << "<vertex x=\"" << number(p.x) << "\" y=\"" << number(p.y) << "\" z=\"" << number(p.z)
         << "\"/>\n";

@@ -17,12 +17,11 @@
 #include "geometry/face_predicates.h"
 #include "geometry/triangulation.h"
 #include "numbers/disjoint_sets.h"
+#include "numbers/none.h"
 #include "sectile/errors.h"
 
 namespace sectile {
 namespace {
-
-constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 // The sets of faces that are joined.
 class FlatSets {

@@ -5,6 +5,7 @@
 
 #include "geometry/moved_geometry.h"
 #include "import/face_triangles.h"
+#include "numbers/none.h"
 #include "parallel/parallel.h"
 #include "sectile/solid.h"
 #include "storage/block_triangles.h"
@@ -13,8 +14,6 @@
 
 namespace sectile {
 namespace {
-
-constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 struct SamePlace {
   std::size_t operator()(const Vec3& p) const {

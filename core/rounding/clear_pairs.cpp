@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "geometry/axes.h"
+#include "rounding/triangle_corners.h"
 
 namespace sectile {
 namespace {
-
-constexpr std::array<std::size_t, 3> after{1, 2, 0}, before{2, 0, 1};
 
 // From one point to another, seen against an axis.
 struct Way {
@@ -68,7 +67,7 @@ bool beyond_an_edge(const PlacedTriangle& s, Sign turn, int axis, const PlacedTr
                     double slack) {
   if (turn == Sign::zero) return false;
   for (std::size_t i = 0; i < 3; ++i) {
-    const SeenEdge edge(s.at[i], s.at[after[i]], axis, slack);
+    const SeenEdge edge(s.at[i], s.at[next_corner(i)], axis, slack);
     if (edge.turns(-turn, t.at[0]) && edge.turns(-turn, t.at[1]) && edge.turns(-turn, t.at[2]))
       return true;
   }
@@ -97,10 +96,10 @@ bool beside_plane(const ViewedTriangle& s, const PlacedTriangle& t) {
 bool apart_by_edge_and_corner(const PlacedTriangle& s, const PlacedTriangle& t, double slack) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
-      const PlaneWithSlack plane(s.at[i], s.at[after[i]], t.at[j], slack);
-      const Sign side = plane.clear_side(s.at[before[i]]);
-      if (side != Sign::zero && plane.clear_side(t.at[after[j]]) == -side &&
-          plane.clear_side(t.at[before[j]]) == -side)
+      const PlaneWithSlack plane(s.at[i], s.at[next_corner(i)], t.at[j], slack);
+      const Sign side = plane.clear_side(s.at[previous_corner(i)]);
+      if (side != Sign::zero && plane.clear_side(t.at[next_corner(j)]) == -side &&
+          plane.clear_side(t.at[previous_corner(j)]) == -side)
         return true;
     }
   return false;
@@ -151,8 +150,8 @@ bool opposite(const Vec3& v, const Vec3& s1, const Vec3& s2, const Vec3& t1, con
 // line through an edge, or through an edge of each.
 bool clear_at_corner(const PlacedTriangle& s, std::size_t i, const TriangleView& view,
                      const PlacedTriangle& t, std::size_t j, double slack) {
-  const Vec3 &v = s.at[i], &s1 = s.at[after[i]], &s2 = s.at[before[i]], &t1 = t.at[after[j]],
-             &t2 = t.at[before[j]];
+  const Vec3 &v = s.at[i], &s1 = s.at[next_corner(i)], &s2 = s.at[previous_corner(i)],
+             &t1 = t.at[next_corner(j)], &t2 = t.at[previous_corner(j)];
   if (opposite(v, s1, s2, t1, t2, slack)) return true;
   const Way to_s1(v, s1, view.axis), to_s2(v, s2, view.axis), to_t1(v, t1, view.axis),
       to_t2(v, t2, view.axis);
@@ -170,7 +169,7 @@ bool clear_at_corner(const PlacedTriangle& s, std::size_t i, const TriangleView&
 // Edge i of s is an edge of t, whose third corner is `far`, and may be in the plane of s.
 bool clear_at_edge(const PlacedTriangle& s, std::size_t i, const TriangleView& view,
                    const Vec3& far, double slack) {
-  return clear_turn(s.at[i], s.at[after[i]], far, view.axis, slack) == -view.turn;
+  return clear_turn(s.at[i], s.at[next_corner(i)], far, view.axis, slack) == -view.turn;
 }
 
 TriangleView clear_view(const PlacedTriangle& triangle, const std::array<double, 3>& normal,
@@ -229,7 +228,7 @@ bool clearly_meet_in_corners(const ViewedTriangle& s, const ViewedTriangle& t, d
     case 1:
       return clear_at_corner(s.placed, of_s, s.view, t.placed, of_t, slack);
     case 2:  // the third corners have what is missing to 0 + 1 + 2
-      return clear_at_edge(s.placed, after[3 - of_s], s.view, t.placed.at[3 - of_t], slack);
+      return clear_at_edge(s.placed, next_corner(3 - of_s), s.view, t.placed.at[3 - of_t], slack);
     default:
       return false;
   }

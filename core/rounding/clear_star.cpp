@@ -11,10 +11,10 @@ using Direction = Facing::Direction;
 double reach_of(const Direction& d) {
   return std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
 }
-double dot(const Direction& a, const Direction& b) {
+double scalar_product(const Direction& a, const Direction& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-Direction cross(const Direction& a, const Direction& b) {
+Direction vector_product(const Direction& a, const Direction& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 Direction sum(const Direction& a, const Direction& b) {
@@ -31,14 +31,14 @@ Direction minus(const Direction& a, const Direction& b) {
 bool go_around_once(const Vec3& vertex, std::span<const StarTriangle> triangles,
                     const Direction& from) {
   constexpr Direction any{0.37, 0.59, 0.73};
-  const Direction across = cross(from, any);
+  const Direction across = vector_product(from, any);
   // Each coordinate of it is off by three roundings of half an ulp of what is summed up, twice the
   // reach at most; and each term of the sums below by three more.
   const double off = 0x1p-46 * reach_of(from);
   bool is_certain = true;
   const auto is_before = [&](const Vec3& p) {
     const Direction way{p.x - vertex.x, p.y - vertex.y, p.z - vertex.z};
-    const double value = dot(across, way), least = off * reach_of(way);
+    const double value = scalar_product(across, way), least = off * reach_of(way);
     // Underflow of products is nothing beside numbers of that order.
     is_certain &= least > 0x1p-750 && std::abs(value) > least;
     return value > 0;
@@ -58,7 +58,8 @@ bool are_all_seen(std::span<const StarTriangle> triangles, const Direction& from
 Direction least_seen(std::span<const StarTriangle> triangles, const Direction& from) {
   return std::min_element(triangles.begin(), triangles.end(),
                           [&](const StarTriangle& s, const StarTriangle& t) {
-                            return dot(s.facing.normal(), from) < dot(t.facing.normal(), from);
+                            return scalar_product(s.facing.normal(), from) <
+                                   scalar_product(t.facing.normal(), from);
                           })
       ->facing.normal();
 }
@@ -71,7 +72,7 @@ Facing::Facing(const PlaneWithSlack& plane) {
   // Underflow of products is nothing beside numbers of that order.
   if (!(plane.normal_off() > 0x1p-750 && reach < 0x1p700)) return;
   const Direction scaled{normal[0] / reach, normal[1] / reach, normal[2] / reach};
-  const double length = std::sqrt(dot(scaled, scaled));
+  const double length = std::sqrt(scalar_product(scaled, scaled));
   for (std::size_t k = 0; k < 3; ++k) normal_[k] = scaled[k] / length;
   // The quotients, and what is computed with them, are off by less than a dozen roundings of
   // numbers up to three times the reach of the direction.
@@ -87,8 +88,8 @@ bool is_clear_star(const Vec3& vertex, std::span<const StarTriangle> triangles) 
   const Direction a = least_seen(triangles, from), b = least_seen(triangles, a);
   from = sum(a, b);
   if (are_all_seen(triangles, from)) return go_around_once(vertex, triangles, from);
-  from = cross(minus(b, a), minus(least_seen(triangles, from), a));
-  if (dot(from, a) < 0) from = minus({}, from);
+  from = vector_product(minus(b, a), minus(least_seen(triangles, from), a));
+  if (scalar_product(from, a) < 0) from = minus({}, from);
   return are_all_seen(triangles, from) && go_around_once(vertex, triangles, from);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "parallel/parallel.h"
+#include "rounding/triangle_corners.h"
 #include "search/box_index.h"
 #include "search/edges_by_line.h"
 #include "search/piece_tree.h"
@@ -15,8 +16,6 @@
 
 namespace sectile {
 namespace {
-
-constexpr std::size_t after[] = {1, 2, 0}, before[] = {2, 0, 1};
 
 // Where edges are to be divided.
 class DividedEdges {
@@ -62,7 +61,7 @@ class DividedEdges {
     std::vector<std::uint8_t> is_corner(kernel_.geometry().positions.size(), 0);
     for (const auto& corners : surface.corners)
       for (std::size_t k = 0; k < 3; ++k) {
-        const PointId p = corners[k], q = corners[after[k]];
+        const PointId p = corners[k], q = corners[next_corner(k)];
         is_corner[p.value()] = 1;
         if (p < q) edges_.push_back({p.value(), q.value()});
       }
@@ -186,11 +185,12 @@ class Divider {
   void add(std::uint32_t t) {
     const auto& corners = old_.corners[t];
     std::array<std::vector<PointId>, 3> between;
-    for (std::size_t k = 0; k < 3; ++k) between[k] = edges_.between(corners[k], corners[after[k]]);
+    for (std::size_t k = 0; k < 3; ++k)
+      between[k] = edges_.between(corners[k], corners[next_corner(k)]);
     const std::size_t k = !between[0].empty()   ? 0
                           : !between[1].empty() ? 1
                                                 : 2,
-                      l = after[k], m = before[k];
+                      l = next_corner(k), m = previous_corner(k);
     std::array<Pieces, 3>& sides = pieces_[t];
     if (between[k].empty()) {
       const std::uint32_t added = add(t, corners[0], corners[1], corners[2]);
@@ -227,9 +227,10 @@ class Divider {
   void link_to_neighbour(std::uint32_t t, std::size_t k) {
     const std::uint32_t s = old_.mate[t][k];
     if (s < t) return;
-    const PointId from = old_.corners[t][k], to = old_.corners[t][after[k]];
+    const PointId from = old_.corners[t][k], to = old_.corners[t][next_corner(k)];
     for (std::size_t j = 0; j < 3; ++j) {
-      if (old_.mate[s][j] != t || old_.corners[s][j] != to || old_.corners[s][after[j]] != from)
+      if (old_.mate[s][j] != t || old_.corners[s][j] != to ||
+          old_.corners[s][next_corner(j)] != from)
         continue;
       const Pieces &mine = pieces_[t][k], &others = pieces_[s][j];
       for (std::size_t i = 0; i < mine.size(); ++i) link(mine[i], others[others.size() - 1 - i]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "rounding/triangle_corners.h"
 #include "search/edges_by_line.h"
 #include "sectile/errors.h"
 
@@ -35,14 +36,12 @@ class Conforming {
     PointId high() const { return std::max(from, to); }
   };
 
-  static std::size_t next(std::size_t k) { return k < 2 ? k + 1 : 0; }
-
   void find_open() {
     open_.clear();
     for (std::uint32_t t = 0; t < surface_.size(); ++t)
       for (std::uint32_t k = 0; k < 3; ++k)
         if ((surface_.mate[t][k] & TriangleSurface::partial) != 0)
-          open_.push_back({surface_.corners[t][k], surface_.corners[t][next(k)], t, k});
+          open_.push_back({surface_.corners[t][k], surface_.corners[t][next_corner(k)], t, k});
   }
 
   // At most one edge of each triangle, at one point.
@@ -65,7 +64,7 @@ class Conforming {
   // (from, to, apex) becomes (from, p, apex), and (p, to, apex) is new.
   void divide(const Open& e, PointId p) {
     const auto added = static_cast<std::uint32_t>(surface_.size());
-    const std::size_t k = e.k, to = next(k), apex = next(to);
+    const std::size_t k = e.k, to = next_corner(k), apex = next_corner(to);
     surface_.corners.push_back(surface_.corners[e.triangle]);
     surface_.plane.push_back(surface_.plane[e.triangle]);
     surface_.face.push_back(surface_.face[e.triangle]);
@@ -75,7 +74,8 @@ class Conforming {
     const std::uint32_t across = surface_.mate[added][to];
     if ((across & TriangleSurface::partial) == 0) {
       for (std::size_t j = 0; j < 3; ++j)
-        if (surface_.mate[across][j] == e.triangle && surface_.corners[across][next(j)] == e.to)
+        if (surface_.mate[across][j] == e.triangle &&
+            surface_.corners[across][next_corner(j)] == e.to)
           surface_.mate[across][j] = added;
     }
     surface_.mate[added][apex] = e.triangle;

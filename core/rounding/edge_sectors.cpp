@@ -12,10 +12,6 @@ namespace {
 
 using namespace approximate;
 
-double length(const Vec3& a) {
-  return std::hypot(a.x, a.y, a.z);
-}
-
 Vec3 of_length_one(const Vec3& a) {
   return 1 / length(a) * a;
 }

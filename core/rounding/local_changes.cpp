@@ -4,24 +4,17 @@
 #include <numeric>
 #include <tuple>
 
+#include "rounding/triangle_corners.h"
 #include "sectile/errors.h"
 #include "selftest/wedge_order.h"
 
 namespace sectile {
 namespace {
 
-std::size_t next(std::size_t k) {
-  return k < 2 ? k + 1 : 0;
-}
-
-bool has(const RoundedSurface::Corners& corners, std::uint32_t vertex) {
-  return corners[0] == vertex || corners[1] == vertex || corners[2] == vertex;
-}
-
 // The edge of a triangle that runs from one vertex to another; 3 if there is none.
 std::size_t edge_of(const RoundedSurface::Corners& corners, std::uint32_t from, std::uint32_t to) {
   for (std::size_t k = 0; k < 3; ++k)
-    if (corners[k] == from && corners[next(k)] == to) return k;
+    if (corners[k] == from && corners[next_corner(k)] == to) return k;
   return 3;
 }
 
@@ -47,7 +40,7 @@ LocalChanges::LocalChanges(RoundedSurface& rounded, Kernel& kernel, TouchingCone
 std::vector<std::uint32_t> LocalChanges::star(std::uint32_t vertex) const {
   std::vector<std::uint32_t> found;
   const auto add = [&](std::uint32_t t) {
-    if (rounded_.alive[t] != 0 && has(rounded_.corners[t], vertex)) found.push_back(t);
+    if (rounded_.alive[t] != 0 && has_corner(rounded_.corners[t], vertex)) found.push_back(t);
   };
   for (std::uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i) add(around_[i]);
   if (const auto more = more_.find(vertex); more != more_.end())
@@ -208,13 +201,13 @@ void LocalChanges::settle() {
   for (std::size_t i = 0; i < count; ++i) {
     if (rounded_.alive[saved_[i].triangle] != 0) find_mates(saved_[i].triangle);
     const RoundedSurface::Corners old = saved_[i].corners;
-    for (std::size_t k = 0; k < 3; ++k) pair_edge(old[k], old[next(k)]);
+    for (std::size_t k = 0; k < 3; ++k) pair_edge(old[k], old[next_corner(k)]);
   }
 }
 
 void LocalChanges::find_mates(std::uint32_t t) {
   const RoundedSurface::Corners corners = rounded_.corners[t];
-  for (std::size_t k = 0; k < 3; ++k) pair_edge(corners[k], corners[next(k)]);
+  for (std::size_t k = 0; k < 3; ++k) pair_edge(corners[k], corners[next_corner(k)]);
 }
 
 void LocalChanges::pair_edge(std::uint32_t from, std::uint32_t to) {
@@ -246,7 +239,7 @@ void LocalChanges::pair_edges() {
     if (!is_concerned && rounded_.alive[t] == 0) continue;
     const RoundedSurface::Corners& c = rounded_.corners[t];
     for (std::size_t k = 0; k < 3; ++k)
-      if (const auto [low, high] = std::minmax(c[k], c[next(k)]);
+      if (const auto [low, high] = std::minmax(c[k], c[next_corner(k)]);
           low != high && (is_end[low] & is_end[high]) != 0)
         edges.push_back({low, high, {t, k}, is_concerned});
   }
@@ -340,8 +333,8 @@ bool LocalChanges::merge(std::uint32_t vertex, std::uint32_t into) {
   std::vector<std::uint32_t>& more = more_[into];
   for (const std::uint32_t t : concerned_) {
     RoundedSurface::Corners& corners = rounded_.corners[t];
-    if (!has(corners, vertex)) continue;
-    const bool vanishes = has(corners, into);
+    if (!has_corner(corners, vertex)) continue;
+    const bool vanishes = has_corner(corners, into);
     std::replace(corners.begin(), corners.end(), vertex, into);
     if (vanishes) {
       kill(t);
@@ -394,15 +387,15 @@ void LocalChanges::join(std::span<const Join> joins) {
 bool LocalChanges::flip(std::uint32_t s, std::size_t j) {
   const std::uint32_t t = rounded_.surface.mate[s][j], both[] = {s, t};
   if (any_fixed(both)) return false;
-  const std::uint32_t a = rounded_.corners[s][j], b = rounded_.corners[s][next(j)],
-                      c = rounded_.corners[s][next(next(j))];
+  const std::uint32_t a = rounded_.corners[s][j], b = rounded_.corners[s][next_corner(j)],
+                      c = rounded_.corners[s][previous_corner(j)];
   const std::size_t k = edge_of(rounded_.corners[t], b, a);
   if (k == 3 || t == s) return false;
-  const std::uint32_t d = rounded_.corners[t][next(next(k))];
+  const std::uint32_t d = rounded_.corners[t][previous_corner(k)];
   if (c == d) return false;
   // The other diagonal must be no edge yet.
   for (const std::uint32_t around : star(c))
-    if (has(rounded_.corners[around], d)) return false;
+    if (has_corner(rounded_.corners[around], d)) return false;
   begin({s, t});
   rounded_.corners[s] = {a, d, c};
   rounded_.corners[t] = {d, b, c};

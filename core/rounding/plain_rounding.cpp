@@ -16,7 +16,7 @@ namespace {
 // is looked at, before the whole is.
 constexpr int most_rounds = 4;
 // So far from a triangle with which something is wrong, in vertices, changes may reach.
-constexpr int rings = 3;
+constexpr int most_rings = 3;
 
 class PlainRounding {
   using Triangles = RoundedTriangles::Triangles;
@@ -79,7 +79,7 @@ class PlainRounding {
 
   // What was changed is suspect then. False if changes nearby do not help.
   bool mend(const Triangles& faulty, Triangles& suspects) {
-    const Triangles near = mesh_.neighbours(faulty, rings);
+    const Triangles near = mesh_.neighbours(faulty, most_rings);
     steps_.check();
     MeshPart part = mesh_.part(mesh_.around(near), mesh_.unsettled());
     if (!part.is_manifold) return false;

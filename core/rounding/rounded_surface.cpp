@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "numbers/none.h"
 #include "parallel/parallel.h"
 #include "rounding/common_lines.h"
 #include "rounding/conforming.h"
@@ -9,8 +10,6 @@
 
 namespace sectile {
 namespace {
-
-constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 void require_finite(const Vec3& rounded, const Vec3& exact) {
   if (!std::isfinite(rounded.x) || !std::isfinite(rounded.y) || !std::isfinite(rounded.z))

@@ -10,16 +10,13 @@
 #include "numbers/disjoint_sets.h"
 #include "parallel/parallel.h"
 #include "rounding/crowded_edges.h"
+#include "rounding/triangle_corners.h"
 #include "search/box_index.h"
 #include "search/bucket_sort.h"
 #include "storage/block_elements.h"
 
 namespace sectile {
 namespace {
-
-std::size_t next(std::size_t k) {
-  return k < 2 ? k + 1 : 0;
-}
 
 template <class Body>
 void for_each(std::size_t count, const Body& body) {
@@ -41,7 +38,7 @@ bool find_mates(TriangleSurface& surface, std::size_t points) {
   for_each(surface.size(), [&](std::size_t i) {
     const auto t = static_cast<std::uint32_t>(i);
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const PointId p = surface.corners[t][k], q = surface.corners[t][next(k)];
+      const PointId p = surface.corners[t][k], q = surface.corners[t][next_corner(k)];
       edges[3 * i + k] = {std::min(p, q), std::max(p, q), t, k};
       surface.mate[t][k] = t | TriangleSurface::partial;
     }
@@ -274,7 +271,7 @@ MeshPart RoundedTriangles::part(Triangles triangles, const Triangles& suspects) 
   for (std::size_t t = 0; t < r.corners.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k)
       if ((r.surface.mate[t][k] & TriangleSurface::partial) != 0)
-        r.fixed[r.corners[t][k]] = r.fixed[r.corners[t][next(k)]] = 1;
+        r.fixed[r.corners[t][k]] = r.fixed[r.corners[t][next_corner(k)]] = 1;
   return part;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/axes.h"
+#include "numbers/none.h"
 #include "numbers/threshold.h"
 #include "rounding/enclosed_volume.h"
 #include "rounding/resolved.h"
@@ -15,7 +16,6 @@
 namespace sectile {
 namespace {
 
-constexpr std::uint32_t none = 0xFFFFFFFFu;
 // So many vertices at a place, moved apart, are looked at once more.
 constexpr std::size_t small_crowd = threshold(32, 4);
 

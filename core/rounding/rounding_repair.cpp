@@ -7,9 +7,14 @@
 
 #include "geometry/four_points.h"
 #include "parallel/parallel.h"
+#include "search/approximate.h"
 
 namespace sectile {
 namespace {
+
+using approximate::operator-;
+using approximate::cross;
+using approximate::length;
 
 // How far from its place a vertex may go, in steps, before a coarser grid is better.
 constexpr double greatest_reach = 4;
@@ -20,23 +25,12 @@ constexpr std::size_t most_opponents = 4;
 // tests of pairs than this, which grows with the number of triangles that are faulty at first.
 constexpr std::uint64_t tests_per_triangle = 0x2000, tests_at_least = 0x20000;
 
-Vec3 minus(const Vec3& a, const Vec3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double length(const Vec3& a) {
-  return std::hypot(a.x, a.y, a.z);
-}
-
 // Between the two parallel planes nearest to each other that hold four points: those of a face and
 // the fourth point, or of two edges that do not meet.
 double thickness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double volume = six_times_volume(a, b, c, d);
   if (volume == 0) return 0;
-  const Vec3 ab = minus(b, a), ac = minus(c, a), ad = minus(d, a), bc = minus(c, b),
-             bd = minus(d, b), cd = minus(d, c);
+  const Vec3 ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
   double widest = 0;
   for (const Vec3& n : {cross(ab, ac), cross(ab, ad), cross(ac, ad), cross(bc, bd), cross(ab, cd),
                         cross(ac, bd), cross(ad, bc)})
@@ -126,7 +120,7 @@ void RoundingRepair::unite_places(const std::vector<std::uint32_t>& faulty) {
 }
 
 double RoundingRepair::distance(std::uint32_t vertex, const Vec3& to) const {
-  return length(minus(to, rounded_.origin[vertex]));
+  return length(to - rounded_.origin[vertex]);
 }
 
 bool RoundingRepair::may_go(std::uint32_t vertex, const Vec3& to) const {
@@ -188,8 +182,7 @@ bool RoundingRepair::try_flips(std::uint32_t s, double reach) {
     ++flipped_;
     if (moves > widest_flip_) widest_flip_ = moves, widest_flip_at_ = a;
     // Of two faces, the one with the larger triangle there takes both.
-    const double area_s = length(cross(minus(b, a), minus(c, a))),
-                 area_t = length(cross(minus(b, a), minus(d, a)));
+    const double area_s = length(cross(b - a, c - a)), area_t = length(cross(b - a, d - a));
     rounded_.source[s] = rounded_.source[t] = area_s > area_t ? of_s : of_t;
     return true;
   }

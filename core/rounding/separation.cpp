@@ -8,16 +8,18 @@
 #include <tuple>
 #include <utility>
 
+#include "numbers/none.h"
 #include "numbers/threshold.h"
 #include "rounding/numbers_in_cone.h"
 #include "rounding/rounding_repair.h"
+#include "rounding/triangle_corners.h"
 #include "sectile/errors.h"
 
 namespace sectile {
 namespace {
 
 // So many steps a vertex may go, before a coarser grid is better.
-constexpr double greatest_reach = 64;
+constexpr double reach_of_wedges = 64;
 // So many pairs of triangles are tested, and so many more for each vertex, before only places in
 // the vertex's cone are looked at.
 constexpr std::uint64_t least_tested = threshold<std::uint64_t>(100000, 10),
@@ -26,16 +28,6 @@ constexpr std::uint64_t least_tested = threshold<std::uint64_t>(100000, 10),
 constexpr std::uint64_t most_tested_out_of_cones = 20000;
 // Of a step, where numbers are very much nearer to each other than steps.
 constexpr double least_fraction = 0x1p-30;
-constexpr std::uint32_t none = 0xFFFFFFFFu;
-
-std::size_t next(std::size_t k) {
-  return k < 2 ? k + 1 : 0;
-}
-
-// The corner of a triangle that is at a vertex.
-std::size_t corner_at(const RoundedSurface::Corners& corners, std::uint32_t vertex) {
-  return corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
-}
 
 Vec3 sum_of(const std::vector<Vec3>& all) {
   Vec3 sum{0, 0, 0};
@@ -90,7 +82,7 @@ void Separation::find_fans() {
     if (rounded_.alive[t] == 0) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t mate = rounded_.surface.mate[t][k];
-      for (const std::size_t end : {k, next(k)}) {
+      for (const std::size_t end : {k, next_corner(k)}) {
         const std::size_t j = corner_at(corners[mate], corners[t][end]);
         const std::uint32_t a = root(static_cast<std::uint32_t>(3 * t + end)),
                             b = root(static_cast<std::uint32_t>(3 * mate + j));
@@ -143,7 +135,7 @@ std::vector<Separation::CommonEdge> Separation::edges_in_common() const {
   std::vector<std::pair<std::array<std::uint32_t, 2>, Edge>> edges;  // by places, or vertices
   for (std::uint32_t t = 0; t < rounded_.corners.size(); ++t)
     for (std::uint32_t k = 0; rounded_.alive[t] != 0 && k < 3; ++k) {
-      const std::uint32_t a = rounded_.corners[t][k], b = rounded_.corners[t][next(k)];
+      const std::uint32_t a = rounded_.corners[t][k], b = rounded_.corners[t][next_corner(k)];
       const std::array<std::uint32_t, 2> ends{place[a] == none ? count + a : place[a],
                                               place[b] == none ? count + b : place[b]};
       if (ends[0] < ends[1]) edges.push_back({ends, {a, b, t, k}});
@@ -194,7 +186,7 @@ void Separation::divide_edges(const std::vector<CommonEdge>& edges) {
 // What is left of the triangle, or one that was cut off from it.
 std::uint32_t Separation::triangle_with(const Edge& e) const {
   const auto has_edge = [&](std::uint32_t t) {
-    return rounded_.corners[t][e.k] == e.low && rounded_.corners[t][next(e.k)] == e.high;
+    return rounded_.corners[t][e.k] == e.low && rounded_.corners[t][next_corner(e.k)] == e.high;
   };
   if (has_edge(e.triangle)) return e.triangle;
   if (const auto cut = cut_off_.find(e.triangle); cut != cut_off_.end())
@@ -204,7 +196,7 @@ std::uint32_t Separation::triangle_with(const Edge& e) const {
 }
 
 std::uint32_t Separation::divide(std::uint32_t s, std::size_t j) {
-  const std::uint32_t a = rounded_.corners[s][j], b = rounded_.corners[s][next(j)];
+  const std::uint32_t a = rounded_.corners[s][j], b = rounded_.corners[s][next_corner(j)];
   const std::uint32_t t = rounded_.surface.mate[s][j];
   const std::size_t k = corner_at(rounded_.corners[t], b);
   const Vec3 place = grid_.nearest(middle_of(rounded_.position(a), rounded_.position(b)));
@@ -225,7 +217,7 @@ std::uint32_t Separation::divide(std::uint32_t s, std::size_t j) {
 void Separation::divide_half(std::uint32_t t, std::size_t k, std::uint32_t middle) {
   TriangleSurface& surface = rounded_.surface;
   const auto added = static_cast<std::uint32_t>(surface.size());
-  const std::size_t to = next(k), apex = next(to);
+  const std::size_t to = next_corner(k), apex = next_corner(to);
   const auto known = whole_.find(t);
   const std::uint32_t whole = known == whole_.end() ? t : known->second;
   whole_[added] = whole;
@@ -244,7 +236,7 @@ void Separation::divide_half(std::uint32_t t, std::size_t k, std::uint32_t middl
   const std::uint32_t across = surface.mate[added][to];
   for (std::size_t j = 0; j < 3; ++j)
     if (surface.mate[across][j] == t &&
-        rounded_.corners[across][next(j)] == rounded_.corners[added][to])
+        rounded_.corners[across][next_corner(j)] == rounded_.corners[added][to])
       surface.mate[across][j] = added;
   surface.mate[added][apex] = t;
   surface.mate[t][to] = added;
@@ -345,7 +337,7 @@ std::vector<Vec3> Separation::places_within(const LocalChanges& changes, std::ui
 // too much was tested for that.
 std::vector<std::uint32_t> Separation::move_all(LocalChanges& changes,
                                                 std::vector<std::uint32_t> waiting) {
-  for (double reach = 1; !waiting.empty() && reach <= greatest_reach; reach *= 2) {
+  for (double reach = 1; !waiting.empty() && reach <= reach_of_wedges; reach *= 2) {
     changes.leave_room(2 * reach * greatest_step(waiting));
     std::erase_if(waiting, [&](std::uint32_t v) {
       check_cancel();
@@ -360,7 +352,7 @@ std::vector<std::uint32_t> Separation::move_all(LocalChanges& changes,
 std::vector<std::uint32_t> Separation::move_within_cones(LocalChanges& changes,
                                                          std::vector<std::uint32_t> waiting) {
   std::vector<std::uint32_t> left;
-  for (double reach = 2 * greatest_reach; !waiting.empty(); reach *= 2) {
+  for (double reach = 2 * reach_of_wedges; !waiting.empty(); reach *= 2) {
     changes.leave_room(4 * reach * greatest_step(waiting));
     std::erase_if(waiting, [&](std::uint32_t v) {
       check_cancel();
@@ -388,7 +380,7 @@ std::vector<std::uint32_t> Separation::move_out_of_cones(
     check_cancel();
     bool is_moved = false;
     if (!narrow.contains(place(v)))
-      for (double reach = 1; !is_moved && reach <= greatest_reach; reach *= 2)
+      for (double reach = 1; !is_moved && reach <= reach_of_wedges; reach *= 2)
         is_moved = move_apart(changes, v, reach);
     if (is_moved) continue;
     narrow.insert(place(v));

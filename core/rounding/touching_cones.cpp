@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "numbers/threshold.h"
+#include "rounding/triangle_corners.h"
 
 namespace sectile {
 namespace {
@@ -16,18 +17,6 @@ constexpr std::size_t most_others = threshold(8, 1);
 constexpr std::size_t most_bounds = 64;
 // What hangs on a fan is looked for among so many triangles.
 constexpr std::size_t most_hanging = 64;
-
-std::size_t next(std::size_t k) {
-  return k < 2 ? k + 1 : 0;
-}
-
-std::size_t corner_at(const RoundedSurface::Corners& corners, std::uint32_t vertex) {
-  return corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
-}
-
-bool has(const RoundedSurface::Corners& corners, std::uint32_t vertex) {
-  return corners[0] == vertex || corners[1] == vertex || corners[2] == vertex;
-}
 
 }  // namespace
 
@@ -74,7 +63,7 @@ PointId TouchingCones::point_amid(const Fan& fan, Corner corner) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const std::uint32_t t : fan) {
     const RoundedSurface::Corners& c = rounded_.corners[t];
-    const Vec3& p = rounded_.position(c[next(corner_at(c, vertex))]);
+    const Vec3& p = rounded_.position(c[next_corner(corner_at(c, vertex))]);
     const double away = std::hypot(p.x - at.x, p.y - at.y, p.z - at.z);
     way = {way.x + (p.x - at.x) / away, way.y + (p.y - at.y) / away, way.z + (p.z - at.z) / away};
     nearest = std::min(nearest, away);
@@ -107,16 +96,17 @@ std::vector<TouchingCones::Member> TouchingCones::add_edge(std::span<const Corne
 EdgeSectors TouchingCones::sectors_around(std::span<const Corner> wedges) {
   const auto side = [&](std::uint32_t t, std::size_t k) {
     return EdgeSectors::Side{t, rounded_.surface.plane[t],
-                             rounded_.surface.corners[t][next(next(k))]};
+                             rounded_.surface.corners[t][previous_corner(k)]};
   };
   std::vector<EdgeSectors::Wedge> sides;
   for (const auto& [t, k] : wedges) {
-    const std::uint32_t mate = rounded_.surface.mate[t][k], to = rounded_.corners[t][next(k)];
+    const std::uint32_t mate = rounded_.surface.mate[t][k],
+                        to = rounded_.corners[t][next_corner(k)];
     sides.push_back({side(t, k), side(mate, corner_at(rounded_.corners[mate], to))});
   }
   const auto& [t, k] = wedges.front();
   const auto& corners = rounded_.surface.corners[t];
-  return {corners[k], corners[next(k)], sides, rounded_.geometry, kernel_};
+  return {corners[k], corners[next_corner(k)], sides, rounded_.geometry, kernel_};
 }
 
 TouchingCones::Fan TouchingCones::fan_at(Corner corner) const {
@@ -137,7 +127,7 @@ TouchingCones::Bounds TouchingCones::bounds_of(const Fan& fan, std::uint32_t ver
     const PlaneId plane = rounded_.surface.plane[fan[i]];
     bool is_below = true, is_above = true;
     for (std::size_t j = 0; j < fan.size() && (is_below || is_above); ++j) {
-      const std::size_t k = next(corner_at(rounded_.corners[fan[j]], vertex));
+      const std::size_t k = next_corner(corner_at(rounded_.corners[fan[j]], vertex));
       const Sign side = kernel_.side(rounded_.surface.corners[fan[j]][k], plane);
       is_below = is_below && side != Sign::positive;
       is_above = is_above && side != Sign::negative;
@@ -299,9 +289,9 @@ bool TouchingCones::is_member(std::uint32_t triangle, Member member) const {
 // Across the edge opposite to a vertex.
 bool TouchingCones::bends_towards_mate(std::uint32_t vertex, std::uint32_t triangle,
                                        Member member) const {
-  const std::size_t opposite = next(corner_at(rounded_.corners[triangle], vertex));
+  const std::size_t opposite = next_corner(corner_at(rounded_.corners[triangle], vertex));
   const std::uint32_t mate = rounded_.surface.mate[triangle][opposite];
-  return !has(rounded_.corners[mate], vertex) && is_member(mate, member) &&
+  return !has_corner(rounded_.corners[mate], vertex) && is_member(mate, member) &&
          kernel_.side(rounded_.point[vertex], rounded_.surface.plane[mate]) ==
              sites_[member.site].inside;
 }

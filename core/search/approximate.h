@@ -23,6 +23,9 @@ inline double dot(const Vec3& a, const Vec3& b) {
 inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+inline double length(const Vec3& a) {
+  return std::hypot(a.x, a.y, a.z);
+}
 /// The sum and the greatest of the components' sizes.
 inline double sum_norm(const Vec3& a) {
   return std::abs(a.x) + std::abs(a.y) + std::abs(a.z);

@@ -22,7 +22,8 @@ constexpr double coarsest = 0x1p-4;
 // The square of a length within these bounds is a normal double.
 constexpr double least_length = 0x1p-500, greatest_length = 0x1p500;
 
-double length(const Vec3& v) {
+// Without regard to overflow.
+double root_of_square(const Vec3& v) {
   return std::sqrt(dot(v, v));
 }
 
@@ -38,7 +39,7 @@ struct Direction {
 
 std::optional<Direction> direction(const Vec3& from, const Vec3& to) {
   const Vec3 way = to - from;
-  const double size = length(way);
+  const double size = root_of_square(way);
   if (!(size > least_length && size < greatest_length)) return {};
   return Direction{(1 / size) * way, 2 * error_of_difference(from, to) / size + roundings};
 }
@@ -51,13 +52,13 @@ const Vec3& farthest_from(const Vec3& from, std::span<const Vec3> directions) {
 double distance_from_sector(const Vec3& d, const Vec3& first, const Vec3& last) {
   const double cosine = dot(first, last);
   const Vec3 across = last - cosine * first;
-  const double sine = length(across);
+  const double sine = root_of_square(across);
   if (sine > 0) {
     const double along = dot(d, first), beside = dot(d, across) / sine;
     if (beside >= 0 && along * sine >= beside * cosine)
-      return length(d - (along * first + (beside / sine) * across));
+      return root_of_square(d - (along * first + (beside / sine) * across));
   }
-  return std::min(length(d - first), length(d - last));
+  return std::min(root_of_square(d - first), root_of_square(d - last));
 }
 
 }  // namespace
@@ -69,7 +70,7 @@ SeenArc SeenArc::between(const Vec3& first, const Vec3& last) {
     arc.count_ = 2;
   } else {
     const Vec3 sum = first + last;
-    arc.way_ = {first, (1 / length(sum)) * sum, last};
+    arc.way_ = {first, (1 / root_of_square(sum)) * sum, last};
     arc.count_ = 3;
   }
   return arc;
@@ -100,7 +101,7 @@ SeenArc SeenArc::from_corner(const Vec3& corner, std::span<const Vec3> others) {
   if (directions.empty()) return {};
   const Vec3 &first = farthest_from(directions[0], directions),
              &last = farthest_from(first, directions);
-  const double sum = length(first + last);
+  const double sum = root_of_square(first + last);
   if (!(coarsest * sum > error)) return {};
   SeenArc arc = between(first, last);
   double off = 0;

@@ -20,7 +20,7 @@ constexpr std::size_t few_others = threshold(24, 1);
 constexpr std::size_t pairs_for_a_plane = threshold(256, 2);
 constexpr int most_levels = 6;
 
-Vec3 farthest_from(const Vec3& from, std::span<const Vec3> points) {
+Vec3 farthest_point_from(const Vec3& from, std::span<const Vec3> points) {
   return *std::ranges::max_element(points, {}, [&](const Vec3& p) {
     const Vec3 off = p - from;
     return dot(off, off);
@@ -38,7 +38,7 @@ double distance_from_segment(const Vec3& p, const Vec3& from, const Vec3& to) {
 }  // namespace
 
 SpacePartition::Rod::Rod(std::span<const Vec3> points)
-    : from(farthest_from(points[0], points)), to(farthest_from(from, points)) {
+    : from(farthest_point_from(points[0], points)), to(farthest_point_from(from, points)) {
   for (const Vec3& p : points) radius = std::max(radius, distance_from_segment(p, from, to));
 }
 

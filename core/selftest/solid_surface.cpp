@@ -5,21 +5,16 @@
 
 #include "geometry/face_predicates.h"
 #include "geometry/triangulation.h"
+#include "numbers/none.h"
 #include "parallel/parallel.h"
 #include "sectile/errors.h"
 #include "selftest/rim_sweep.h"
+#include "topology/triangle.h"
 
 namespace sectile {
 namespace {
 
-constexpr std::uint32_t none = 0xFFFFFFFFu;
 constexpr std::size_t chunk = 1024;
-
-bool is_triangle(const Brep& brep, FaceId f) {
-  const LoopId outer = brep.outer_loop[f];
-  const HalfEdgeId h = brep.loop_half_edge[outer];
-  return !brep.next_loop[outer].valid() && brep.next_of(brep.next_of(brep.next_of(h))) == h;
-}
 
 // A solid whose faces are triangles, all of them.
 TriangleSurface surface_of_triangles(const Brep& brep) {

@@ -6,6 +6,7 @@
 #include "geometry/formulas.h"
 #include "numbers/rounding.h"
 #include "topology/fans.h"
+#include "topology/triangle.h"
 
 namespace sectile {
 namespace {
@@ -13,10 +14,10 @@ namespace {
 using rounding::underflow;
 using rounding::unit;
 
-using Corner = std::array<Bounded, 3>;
+using CornerBounds = std::array<Bounded, 3>;
 
 // The coordinates of a point as far as pairs of doubles know them.
-Corner corner(const Geometry& geometry, PointId p) {
+CornerBounds corner(const Geometry& geometry, PointId p) {
   if (!geometry.is_constructed(p)) {
     PointOf<Bounded> given = given_point<Bounded>(geometry, p);
     return {given.x[0], given.x[1], given.x[2]};
@@ -43,7 +44,7 @@ class Corners {
   }
   const Vec3& position(PointId p) const { return geometry_.position(p); }
 
-  Corner operator()(PointId p) const {
+  CornerBounds operator()(PointId p) const {
     if (!geometry_.is_explicit(p)) return corners_[p.value()];
     const Vec3& at = position(p);
     return {Bounded(at.x), Bounded(at.y), Bounded(at.z)};
@@ -51,7 +52,7 @@ class Corners {
 
  private:
   const Geometry& geometry_;
-  std::vector<Corner> corners_;  // empty if all points are explicit
+  std::vector<CornerBounds> corners_;  // empty if all points are explicit
 };
 
 // a - b - difference, for difference = a - b rounded.
@@ -148,7 +149,7 @@ BlockVolume volume_below(const Brep& brep, const Geometry& geometry) {
     for_each_fan(brep, f, [&](PointId a, PointId b, PointId c) {
       if (corners.all_explicit(a, b, c))
         return plain.add(geometry.position(a), geometry.position(b), geometry.position(c));
-      const Corner p = corners(a), q = corners(b), r = corners(c);
+      const CornerBounds p = corners(a), q = corners(b), r = corners(c);
       const Bounded turn = minor(q[0] - p[0], q[1] - p[1], r[0] - p[0], r[1] - p[1]);
       below = below +
               turn * ((p[2] - Bounded(level)) + (q[2] - Bounded(level)) + (r[2] - Bounded(level)));
@@ -194,19 +195,13 @@ template <class CornerOf>
 Bounded area_of_face(const Brep& brep, FaceId f, const CornerOf& corners) {
   Bounded n[3];
   for_each_fan(brep, f, [&](PointId a, PointId b, PointId c) {
-    const Corner p = corners(a), q = corners(b), r = corners(c);
+    const CornerBounds p = corners(a), q = corners(b), r = corners(c);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
       n[k] = n[k] + minor(q[i] - p[i], q[j] - p[j], r[i] - p[i], r[j] - p[j]);
     }
   });
   return square_root(dot(n, n));
-}
-
-bool is_triangle(const Brep& brep, FaceId f) {
-  const LoopId loop = brep.outer_loop[f];
-  const HalfEdgeId h = brep.loop_half_edge[loop];
-  return !brep.next_loop[loop].valid() && brep.next_of(brep.next_of(h)) == brep.prev_of(h);
 }
 
 Bounded two_areas(const Brep& brep, const Geometry& geometry) {

@@ -12,15 +12,10 @@
 #include "sectile/errors.h"
 #include "storage/block_elements.h"
 #include "storage/vertex_sets.h"
+#include "topology/triangle.h"
 
 namespace sectile {
 namespace {
-
-bool is_triangle(const Brep& brep, FaceId f) {
-  const LoopId outer = brep.outer_loop[f];
-  const HalfEdgeId h = brep.loop_half_edge[outer];
-  return !brep.next_loop[outer].valid() && brep.next_of(brep.next_of(brep.next_of(h))) == h;
-}
 
 // What the faces of one block that are no triangles were cut into.
 struct CutFaces {
@@ -160,9 +155,9 @@ class FaceCutter {
   std::vector<std::array<std::uint32_t, 3>> numbers_;
 };
 
-class Collector {
+class TriangleCollector {
  public:
-  explicit Collector(const SolidData& data) : data_(data), slots_(data.slots()) {}
+  explicit TriangleCollector(const SolidData& data) : data_(data), slots_(data.slots()) {}
 
   std::optional<BlockTriangles> run() {
     if (data_.touches_itself()) return {};
@@ -291,7 +286,7 @@ class Collector {
 }  // namespace
 
 std::optional<BlockTriangles> block_triangles(const SolidData& data) {
-  return Collector(data).run();
+  return TriangleCollector(data).run();
 }
 
 }  // namespace sectile

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "numbers/none.h"
 #include "parallel/parallel.h"
 #include "search/curve_groups.h"
 #include "search/curve_order.h"
@@ -14,7 +15,6 @@ namespace sectile {
 namespace {
 
 constexpr std::size_t corners_of_a_block = 4096;
-constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 // Faces in the order of a curve that fills space, in groups.
 class Groups {

@@ -9,6 +9,7 @@
 #include <ostream>
 #include <string>
 
+#include "numbers/none.h"
 #include "sectile/errors.h"
 #include "storage/solid_data.h"
 #include "topology/links.h"
@@ -17,7 +18,6 @@ namespace sectile {
 namespace {
 
 constexpr std::string_view first_line = "sectile exact 1";
-constexpr std::uint32_t none = 0xFFFFFFFFu;
 // Hundreds of moves, each with factors at the ends of doubles.
 constexpr std::int64_t most_power = 1000000;
 

@@ -23,9 +23,9 @@ bool comes_first(const Vec3& p, const Vec3& q) {
 
 // Collects the corners at some places, in all blocks that have some. Points that are not given are
 // known by their rounded positions: different ones are different points.
-class Collector {
+class CornerCollector {
  public:
-  explicit Collector(const SolidData& solid) : solid_(solid) {}
+  explicit CornerCollector(const SolidData& solid) : solid_(solid) {}
 
   std::vector<Corner> run() {
     for (const Slot& slot : solid_.slots())
@@ -136,7 +136,7 @@ class Place {
 }  // namespace
 
 std::vector<std::uint32_t> slots_touching_in_lines(const SolidData& solid) {
-  std::vector<Corner> corners = Collector(solid).run();
+  std::vector<Corner> corners = CornerCollector(solid).run();
   std::sort(corners.begin(), corners.end(),
             [](const Corner& c, const Corner& d) { return comes_first(c.at, d.at); });
   std::vector<Box> boxes;

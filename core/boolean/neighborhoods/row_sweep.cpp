@@ -9,14 +9,13 @@
 
 #include "boolean/neighborhoods/row_order.h"
 #include "boolean/neighborhoods/row_pieces.h"
+#include "numbers/none.h"
 #include "search/bucket_sort.h"
 #include "search/circle.h"
 #include "sectile/errors.h"
 
 namespace sectile {
 namespace {
-
-constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 template <class T>
 void make_unique(std::vector<T>& all) {

@@ -58,7 +58,7 @@ bool is_along_edge(const SegmentRecord& r) {
 }
 
 // So many segments of one edge or face, which all are along edges, may be a crowd.
-constexpr std::uint32_t many = CrowdedLines::many_beside / 2;
+constexpr std::uint32_t many_segments = CrowdedLines::many_beside / 2;
 
 // How many segments along edges each entity has.
 class SegmentCounts {
@@ -73,8 +73,8 @@ class SegmentCounts {
 
   std::uint32_t most() const { return most_; }
   bool has_many(const SegmentRecord& r) {
-    return count(Operand::a, r.on[Operand::a]) >= many ||
-           count(Operand::b, r.on[Operand::b]) >= many;
+    return count(Operand::a, r.on[Operand::a]) >= many_segments ||
+           count(Operand::b, r.on[Operand::b]) >= many_segments;
   }
 
  private:
@@ -103,9 +103,9 @@ void add_edges_beside_many(const Workspace& w, const Contacts& found, SegmentCou
 }  // namespace
 
 void mark_crowded_segments(Workspace& w, const Contacts& found) {
-  if (std::ranges::count_if(found.segments, is_along_edge) < std::ptrdiff_t(many)) return;
+  if (std::ranges::count_if(found.segments, is_along_edge) < std::ptrdiff_t(many_segments)) return;
   SegmentCounts counts(w, found);
-  if (counts.most() < many) return;
+  if (counts.most() < many_segments) return;
   EdgesOfBoth edges(w);
   add_edges_beside_many(w, found, counts, edges);
   const SpineLines lines = edges.crowded();

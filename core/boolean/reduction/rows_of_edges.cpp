@@ -18,7 +18,7 @@ namespace sectile {
 namespace {
 
 // Fewer records are not worth looking at.
-constexpr std::size_t many = threshold(256, 2);
+constexpr std::size_t many_records = threshold(256, 2);
 
 // The records of edges on one line, in the order in which carriers are taken from them.
 class RowOfEdges {
@@ -132,7 +132,8 @@ std::vector<std::uint32_t> sort_by_line(const Workspace& w, SegmentRecords& reco
 
 void divide_rows(const Workspace& w, Contacts& found) {
   SegmentRecords& all = found.segments;
-  if (static_cast<std::size_t>(std::count_if(all.begin(), all.end(), is_of_edges)) < many) return;
+  if (static_cast<std::size_t>(std::count_if(all.begin(), all.end(), is_of_edges)) < many_records)
+    return;
   const auto others = std::stable_partition(all.begin(), all.end(), is_of_edges);
   SegmentRecords of_edges(all.begin(), others);
   all.erase(all.begin(), others);
@@ -140,7 +141,7 @@ void divide_rows(const Workspace& w, Contacts& found) {
   for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
     const std::span<const SegmentRecord> records =
         std::span(of_edges).subspan(starts[i], starts[i + 1] - starts[i]);
-    if (records.size() < many) {
+    if (records.size() < many_records) {
       all.insert(all.end(), records.begin(), records.end());
     } else {
       RowOfEdges(w, found, records).add_pieces(all);

@@ -6,6 +6,7 @@
 #include "boolean/report/report.h"
 #include "boolean/report/report_names.h"
 #include "boolean/report/report_places.h"
+#include "search/approximate.h"
 
 namespace sectile {
 namespace {
@@ -16,10 +17,6 @@ void add(Vec3& sum, const Vec3& v, double weight) {
 
 Vec3 scaled(const Vec3& v, double by) {
   return {by * v.x, by * v.y, by * v.z};
-}
-
-double length(const Vec3& v) {
-  return std::hypot(v.x, v.y, v.z);
 }
 
 class NullEdgeReport {
@@ -73,9 +70,10 @@ class NullEdgeReport {
       const FaceId face = carrier.entity.is_face()
                               ? carrier.entity.face()
                               : brep.face_of(Brep::half_edge(carrier.entity.edge()));
-      const Vec3 left = w_.patch[s].is_real(face)
-                            ? unit(cross(unit_normal(w_.geometry, w_.patch[s].plane(face)), along))
-                            : Vec3{};
+      const Vec3 left =
+          w_.patch[s].is_real(face)
+              ? unit(approximate::cross(unit_normal(w_.geometry, w_.patch[s].plane(face)), along))
+              : Vec3{};
       Pull &first = pulls_[s][brep.from(end.first)], &last = pulls_[s][brep.to(end.last)];
       add(first.sum, along, 0.5);
       add(last.sum, along, 0.5);
@@ -103,7 +101,9 @@ class NullEdgeReport {
   }
 
   // Cuts that leave in opposite directions say nothing but on which side of them a vertex is.
-  Vec3 direction_of(const Pull& p) const { return unit(length(p.sum) < 0.01 ? p.aside : p.sum); }
+  Vec3 direction_of(const Pull& p) const {
+    return unit(approximate::length(p.sum) < 0.01 ? p.aside : p.sum);
+  }
 
   // The vertices of a site move apart: relative to their mean direction, the farthest by one.
   void spread() {
@@ -115,7 +115,7 @@ class NullEdgeReport {
     });
     for_each_end([&](Pull& p, Centre& centre) {
       add(p.moved, centre.sum, -1.0 / centre.count);
-      centre.farthest = std::max(centre.farthest, length(p.moved));
+      centre.farthest = std::max(centre.farthest, approximate::length(p.moved));
     });
     for_each_end([&](Pull& p, Centre& centre) {
       if (centre.farthest < 0.01)

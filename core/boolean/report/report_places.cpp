@@ -3,16 +3,13 @@
 #include <cmath>
 
 #include "boolean/report/report_names.h"
+#include "search/approximate.h"
 
 namespace sectile {
 
 Vec3 unit(const Vec3& v) {
   const double length = std::hypot(v.x, v.y, v.z);
   return length > 0 ? Vec3{v.x / length, v.y / length, v.z / length} : Vec3{};
-}
-
-Vec3 cross(const Vec3& u, const Vec3& v) {
-  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
 Vec3 between(const Vec3& from, const Vec3& to) {
@@ -140,8 +137,8 @@ Vec3 unit_direction(const Workspace& w, const Contacts& contacts, const Segment&
   if (along != Vec3{}) return unit(along);
   // Ends that are one after rounding.
   if (!segment.plane[1].valid()) return {};
-  return unit(
-      cross(unit_normal(w.geometry, segment.plane[0]), unit_normal(w.geometry, segment.plane[1])));
+  return unit(approximate::cross(unit_normal(w.geometry, segment.plane[0]),
+                                 unit_normal(w.geometry, segment.plane[1])));
 }
 
 std::vector<TraceHalfPlane> trace_half_planes(const Workspace& w, const Contacts& contacts,
@@ -160,7 +157,7 @@ std::vector<TraceHalfPlane> trace_half_planes(const Workspace& w, const Contacts
     t.face = in_operand(w.patch[h.operand], h.face).value();
     t.carrier = traced(w.patch[h.operand], carrier.entity);
     t.normal = unit_normal(w.geometry, h.plane);
-    t.direction = unit(cross(t.normal, h.forward ? along : opposite(along)));
+    t.direction = unit(approximate::cross(t.normal, h.forward ? along : opposite(along)));
     t.before = traced_class(h.cls);
     t.after = traced_class(reclassified(operation, h.operand, h.cls));
     t.coplanar = coplanar_with(planes, i);

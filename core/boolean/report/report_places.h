@@ -10,7 +10,6 @@
 namespace sectile {
 
 Vec3 unit(const Vec3& v);
-Vec3 cross(const Vec3& u, const Vec3& v);
 Vec3 between(const Vec3& from, const Vec3& to);
 /// The outward normal of a plane.
 Vec3 unit_normal(const Geometry& geometry, PlaneId plane);
