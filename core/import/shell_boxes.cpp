@@ -10,12 +10,6 @@
 namespace sectile {
 namespace {
 
-bool contains(const Box& outer, const Box& inner) {
-  for (int k = 0; k < 3; ++k)
-    if (!(outer.low[k] <= inner.low[k] && inner.high[k] <= outer.high[k])) return false;
-  return true;
-}
-
 std::vector<std::uint32_t> numbers(std::size_t count) {
   std::vector<std::uint32_t> all(count);
   std::iota(all.begin(), all.end(), 0u);
@@ -37,49 +31,69 @@ ShellBoxes::ShellBoxes(std::vector<Box> boxes,
   }
   Tree tree(*this, std::move(all));
   find_held(tree);
-  find_holding(std::move(tree));
+  find_holding(tree);
 }
 
 // Where boxes are mostly empty, the shells come along a curve.
-ShellBoxes::Tree::Tree(const ShellBoxes& shells, std::vector<std::uint32_t> some)
-    : all_(&shells), some_(std::move(some)) {
+ShellBoxes::Tree::Tree(const ShellBoxes& shells, std::vector<std::uint32_t> order)
+    : all_(shells), order_(std::move(order)), place_(order_.size()), is_gone_(order_.size(), 0) {
   std::vector<Box> boxes;
-  boxes.reserve(some_.size());
-  for (const std::uint32_t s : some_) boxes.push_back(all_->boxes_[s]);
-  tree_ = BoxTree(boxes, {}, all_->is_oriented());
-  if (all_->is_oriented() && !some_.empty())
-    oriented_.emplace_back(tree_, [&](std::uint32_t i, const auto& add) {
-      for (const Vec3& p : all_->corners_[some_[i]]) add(p);
+  boxes.reserve(order_.size());
+  for (const std::uint32_t s : order_) boxes.push_back(all_.boxes_[s]);
+  tree_ = BoxTree(boxes, {}, all_.is_oriented());
+  if (tree_.empty()) return;
+  if (all_.is_oriented())
+    oriented_.emplace(tree_, [&](std::uint32_t i, const auto& add) {
+      for (const Vec3& p : all_.corners_[order_[i]]) add(p);
     });
+  const auto items = tree_.items(tree_.root());
+  for (std::uint32_t i = 0; i < items.size(); ++i) place_[order_[items[i]]] = i;
+  for (std::uint32_t level = 0; level < tree_.level_count(); ++level) {
+    left_.emplace_back();
+    for (std::uint32_t i = 0; i < tree_.node_count(level); ++i)
+      left_.back().push_back(tree_.box({level, i}));
+  }
 }
 
 // If a shell lies in another one, so do its corners. Those at its ends tell most.
 template <class Visit>
 void ShellBoxes::Tree::around(std::uint32_t shell, const Visit& visit) const {
-  const Box& own = all_->boxes_[shell];
-  bool goes_on = true;
-  if (oriented_.empty()) {
-    tree_.query([&](const Box& b) { return goes_on && contains(b, own); },
-                [&](std::uint32_t i) { goes_on = goes_on && visit(some_[i]); });
-    return;
-  }
   struct Around {
     const Tree& tree;
     const Box& own;
-    const std::array<OrientedBox, 2> ends;
-    const bool& goes_on;
-    bool operator()(const Box& b) const { return goes_on && contains(b, own); }
+    std::array<OrientedBox, 2> ends;
+    bool goes_on = true;
+    bool operator()(const Box& b) const { return goes_on && b.contains(own); }
     bool operator()(BoxTree::Node n) const {
-      return (*this)(tree.tree_.box(n)) && has_ends(tree.oriented_.front()[n]);
+      return (*this)(tree.left_[n.level][n.index]) &&
+             (!tree.oriented_ || has_ends((*tree.oriented_)[n]));
     }
     bool has_ends(const OrientedBox& b) const { return !apart(b, ends[0]) && !apart(b, ends[1]); }
-  };
-  const Around around{*this, own, all_->ends(shell), goes_on};
+  } around{*this, all_.boxes_[shell], {}};
+  if (oriented_) around.ends = all_.ends(shell);
   tree_.query_in_order(
       around, [](BoxTree::Node, BoxTree::Node) { return false; },
       [&](std::uint32_t i) {
-        if (around.has_ends(all_->oriented_[some_[i]])) goes_on = goes_on && visit(some_[i]);
+        const std::uint32_t t = order_[i];
+        if (is_gone_[t] == 0 && (!oriented_ || around.has_ends(all_.oriented_[t])))
+          around.goes_on = around.goes_on && visit(t);
       });
+}
+
+void ShellBoxes::Tree::remove(std::uint32_t shell) {
+  is_gone_[shell] = 1;
+  BoxTree::Node n{0, place_[shell] / BoxTree::width};
+  for (; n.level < tree_.level_count(); n = {n.level + 1, n.index / BoxTree::width}) {
+    Box box;
+    if (n.level == 0)
+      for (const std::uint32_t i : tree_.items(n)) {
+        if (is_gone_[order_[i]] == 0) box.add(all_.boxes_[order_[i]]);
+      }
+    else
+      for (std::uint32_t i = 0; i < tree_.child_count(n); ++i)
+        box.add(left_[n.level - 1][BoxTree::child(n, i).index]);
+    left_[n.level][n.index] = box;
+  }
 }
 
 std::array<OrientedBox, 2> ShellBoxes::ends(std::uint32_t shell) const {
@@ -100,22 +114,16 @@ void ShellBoxes::find_held(const Tree& all) {
     });
 }
 
-// The tree of those that are not known to hold any is made anew as soon as known ones were met in
-// it as often as it has members: so nests of many shells take no longer than others.
-void ShellBoxes::find_holding(Tree tree) {
-  std::size_t met = 0;
+// What is known to hold any is removed, so that in nests of many shells each is found once.
+void ShellBoxes::find_holding(Tree& all) {
   for (std::uint32_t s = 0; s < boxes_.size(); ++s) {
     if (is_held_[s] == 0) continue;
-    tree.around(s, [&](std::uint32_t t) {
-      met += holds_any_[t];
-      if (t != s) holds_any_[t] = 1;
+    all.around(s, [&](std::uint32_t t) {
+      if (t == s) return true;
+      holds_any_[t] = 1;
+      all.remove(t);
       return true;
     });
-    if (met <= tree.size()) continue;
-    std::vector<std::uint32_t> unknown = tree.shells();
-    std::erase_if(unknown, [&](std::uint32_t t) { return holds_any_[t] != 0; });
-    tree = Tree(*this, std::move(unknown));
-    met = 0;
   }
 }
 

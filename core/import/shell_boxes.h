@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "search/box_tree.h"
@@ -30,26 +31,29 @@ class ShellBoxes {
   std::vector<std::uint32_t> farthest_first() const;
 
  private:
-  // A tree over some of the shells.
+  // A tree over the shells, from which some are removed.
   class Tree {
    public:
-    Tree(const ShellBoxes& shells, std::vector<std::uint32_t> some);
-    std::size_t size() const { return some_.size(); }
-    const std::vector<std::uint32_t>& shells() const { return some_; }
+    Tree(const ShellBoxes& shells, std::vector<std::uint32_t> order);
 
     /// Calls visit(shell) for all in which a shell can lie, and for itself, until it returns false.
+    /// visit may remove the shell from the tree.
     template <class Visit>
     void around(std::uint32_t shell, const Visit& visit) const;
+    void remove(std::uint32_t shell);
 
    private:
-    const ShellBoxes* all_;
-    std::vector<std::uint32_t> some_;
+    const ShellBoxes& all_;
+    std::vector<std::uint32_t> order_;  // the shells, as the tree takes them
     BoxTree tree_;
-    std::vector<OrientedTree> oriented_;  // one, where boxes are mostly empty
+    std::optional<OrientedTree> oriented_;  // where boxes are mostly empty
+    std::vector<std::uint32_t> place_;      // per shell, among all items of the tree
+    std::vector<std::uint8_t> is_gone_;     // per shell
+    std::vector<std::vector<Box>> left_;    // per level and node, around what is not gone
   };
 
   void find_held(const Tree& all);
-  void find_holding(Tree tree);
+  void find_holding(Tree& all);
   std::array<OrientedBox, 2> ends(std::uint32_t shell) const;
   bool is_oriented() const { return !corners_.empty(); }
 

@@ -228,6 +228,10 @@ TEST(Growth, CutThroughNestedShells) {
             n_log_n);
 }
 
+TEST(Growth, ImportOfNestedShells) {
+  EXPECT_LT(import_growth(nested_shells, 400), n_log_n);
+}
+
 TEST(Growth, MeshOfAPlateWithPegs) {
   EXPECT_LT(
       growth([](std::size_t n) { return [plate = plate_with_pegs(n)] { plate.to_mesh(); }; }, 400),

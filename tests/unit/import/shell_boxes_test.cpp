@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <random>
 
@@ -103,6 +104,26 @@ TEST(ShellBoxes, BoxesAreEnoughOfFewShells) {
   EXPECT_FALSE(boxes.is_held(2));
   EXPECT_TRUE(boxes.holds_any(1));
   EXPECT_EQ(boxes.farthest_first(), (std::vector<std::uint32_t>{2, 1, 0}));
+}
+
+// An onion with a pebble in each of its layers, whatever comes first.
+TEST(ShellBoxes, WhatLiesInLayersIsHeldByAllAroundIt) {
+  std::vector<Corners> shells;
+  for (int layer = 1; layer <= 60; ++layer) {
+    const double r = 4.0 * layer;
+    shells.push_back({{-r, -r, -r}, {r, r, r}});
+    shells.push_back({{r - 3, r - 3, r - 3}, {r - 1, r - 1, r - 1}});
+  }
+  std::mt19937 random(5);
+  for (int i = 0; i < 20; ++i) {
+    std::shuffle(shells.begin(), shells.end(), random);
+    const ShellBoxes boxes = boxes_of(shells);
+    for (std::uint32_t s = 0; s < shells.size(); ++s) {
+      const bool is_pebble = shells[s][0].x > 0, is_outermost = shells[s][1].x == 240;
+      EXPECT_EQ(boxes.is_held(s), !is_outermost);
+      EXPECT_EQ(boxes.holds_any(s), !is_pebble);
+    }
+  }
 }
 
 TEST(BundleOrder, KeepsThoseOfOneDirectionTogether) {
