@@ -69,7 +69,8 @@ class Traversal {
   struct Crowded {};
 
   // More tests than so many for each triangle are a reason to look for lines along which many meet;
-  // more tests and pairs of nodes, to divide space.
+  // more tests and pairs of nodes, to give all nodes oriented boxes, as the triangles of surfaces
+  // that lie in layers are apart as layers are; and then, to divide space.
   static constexpr std::size_t many_tests = threshold(32, 2), very_many = threshold(128, 4);
   static constexpr std::size_t counted_at_a_time = 1024;
   static constexpr std::size_t least_cells = threshold(64, 2);
@@ -88,6 +89,9 @@ class Traversal {
       hubs_ = std::move(along_lines_);
       fans_ = NodeLabels(tree_, hubs_.of_polygon());
       along_lines_ = HubFans();
+    } else if (!slanted_.are_most()) {
+      slanted_ = SlantedNodes(surface_, geometry_, tree_, SlantedNodes::Which::all);
+      most_tests_ *= 4;
     } else {
       space_.emplace(rods(), labels_of_untested());
       find_oriented_boxes();
@@ -248,7 +252,7 @@ class Traversal {
     note_crowd();
   }
   void note_crowd() {
-    if (!space_ && tests_ + node_pairs_ > very_many * surface_.size()) is_crowded_ = true;
+    if (!space_ && tests_ + node_pairs_ > most_tests_ * surface_.size()) is_crowded_ = true;
     if (is_crowded_) throw Crowded();
   }
 
@@ -356,7 +360,7 @@ class Traversal {
   std::optional<parallel::Scratch<Found>> found_{std::in_place};
   std::atomic<bool> enough_{false}, looked_for_lines_{false}, is_crowded_{false};
   std::atomic<std::size_t> tests_{0}, node_pairs_{0}, done_{0};
-  std::size_t steps_ = 0;
+  std::size_t most_tests_ = very_many, steps_ = 0;
   double begun_at_ = 0, told_ = 0;  // parts of the progress
   std::mutex telling_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "parallel/parallel.h"
 #include "search/approximate.h"
@@ -29,12 +30,34 @@ void add_triangle(const std::array<PointId, 3>& corners, const Geometry& geometr
   to.boxes += x * y + y * z + z * x;
 }
 
+// Are points certainly all on one side of what is in a box, across it? As apart() looks along this
+// axis, for boxes of one point each; they were put into a box with that slack.
+bool is_beside(const OrientedBox& box, std::span<const Vec3> points, double slack) {
+  using namespace approximate;
+  const double most = box.extent[2] + 2 * (box.slack + slack);
+  bool below = true, above = true;
+  for (const Vec3& p : points) {
+    const double at = dot(box.axis[2], p - box.centre);
+    below = below && at < -most;
+    above = above && at > most;
+  }
+  return below || above;
+}
+
 }  // namespace
 
 SlantedNodes::SlantedNodes(const TriangleSurface& surface, const Geometry& geometry,
-                           const TriangleTree& tree)
+                           const TriangleTree& tree, Which which)
     : tree_(&tree) {
-  find_needles(surface, geometry);
+  if (which == Which::needles) {
+    find_needles(surface, geometry);
+  } else {
+    for (std::size_t level = 0; level < tree.levels(); ++level)
+      number_.emplace_back(tree.nodes(level), 0);
+    corners_.reserve(3 * tree.order().size());
+    for (const std::uint32_t t : tree.order())
+      for (const PointId p : surface.corners[t]) corners_.push_back(geometry.position(p));
+  }
   for (std::size_t level = 0; level < number_.size(); ++level) {
     std::vector<std::uint32_t> nodes;
     for (std::uint32_t node = 0; node < number_[level].size(); ++node) {
@@ -94,7 +117,15 @@ OrientedBox SlantedNodes::box(std::size_t level, std::size_t node) const {
 bool SlantedNodes::apart(std::size_t level, std::size_t a, std::size_t b) const {
   if (level >= number_.size() || (number_[level][a] == none && number_[level][b] == none))
     return false;
-  return sectile::apart(box(level, a), box(level, b));
+  if (sectile::apart(box(level, a), box(level, b))) return true;
+  return level == 0 && !corners_.empty() && (are_beside(a, b) || are_beside(b, a));
+}
+
+// Boxes reach farther than triangles: where layers bend, those of one are in many layers beside it.
+bool SlantedNodes::are_beside(std::size_t leaf, std::size_t other) const {
+  const auto [begin, end] = tree_->range(0, other);
+  const auto corners = std::span(corners_).subspan(3 * std::size_t(begin), 3 * (end - begin));
+  return is_beside(boxes_[0][leaf], corners, boxes_[0][other].slack);
 }
 
 bool SlantedNodes::apart(std::size_t level, std::size_t node, const OrientedBox& box) const {

@@ -226,6 +226,25 @@ PolygonMesh cone_on_bands(std::size_t sides) {
   return mesh;
 }
 
+// Balls and cavities in turn, one close to the other: the triangles of one are in the boxes of
+// those of very many.
+PolygonMesh nested_balls(std::size_t n) {
+  const PolygonMesh ball = sphere(1, 6, 4).to_mesh();
+  PolygonMesh mesh;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double radius = 1 + static_cast<double>(i) / static_cast<double>(n);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const Vec3& p : ball.positions)
+      add_vertex(mesh, {radius * p.x, radius * p.y, radius * p.z});
+    mesh.face_sizes.insert(mesh.face_sizes.end(), ball.face_sizes.begin(), ball.face_sizes.end());
+    for (std::size_t c = 0; c < ball.indices.size(); ++c) {
+      const bool turned = (n - i) % 2 == 0;
+      mesh.indices.push_back(first + ball.indices[turned ? c - c % 3 + 2 - c % 3 : c]);
+    }
+  }
+  return mesh;
+}
+
 TEST(ImportGrowth, PlateWithHoles) {
   EXPECT_LT(growth([](std::size_t n) { return [n] { plate_with_holes(n); }; }, 400), n_log_n);
 }
@@ -260,6 +279,14 @@ TEST(ImportGrowth, NestingOfFansThatReachIntoEachOther) {
 
 TEST(ImportGrowth, NestingOfRodsOfAllDirections) {
   EXPECT_LT(growth_of_nesting(rods_of_all_directions, 1000), n_log_n);
+}
+
+TEST(ImportGrowth, NestedBalls) {
+  EXPECT_LT(growth_of_import(nested_balls, 200), n_log_n);
+}
+
+TEST(ImportGrowth, NestingOfNestedBalls) {
+  EXPECT_LT(growth_of_nesting(nested_balls, 100), n_log_n);
 }
 
 TEST(ImportGrowth, WovenRods) {
