@@ -7,6 +7,7 @@
 #include "arrangement/rows_of_traces.h"
 #include "numbers/threshold.h"
 #include "search/edge_box.h"
+#include "search/edge_fans.h"
 #include "search/piece_tree.h"
 
 namespace sectile::arrangement {
@@ -109,11 +110,17 @@ void PlanePieces::find_crossings(const Kernel& kernel, const EdgeLines& lines) {
     return;
   }
   std::vector<PieceTree::Edge> edges;
+  std::vector<EdgeFans::Ends> ends;
   edges.reserve(count);
-  for (const Piece& piece : pieces_)
+  ends.reserve(count);
+  for (const Piece& piece : pieces_) {
     edges.push_back({g.position(piece.from), g.position(piece.to)});
-  PieceTree(edges).self_overlaps(
-      [&](std::uint32_t i, std::uint32_t j) { test(kernel, lines, i, j); });
+    ends.push_back({piece.from.value(), piece.to.value()});
+  }
+  const auto test_pair = [&](std::uint32_t i, std::uint32_t j) { test(kernel, lines, i, j); };
+  const EdgeFans fans(ends);
+  PieceTree(edges, fans.of_edge()).self_overlaps(test_pair);
+  fans.for_each_pair([&](std::uint32_t end) { return g.position(PointId(end)); }, test_pair);
 }
 
 void PlanePieces::divide(const Kernel& kernel, std::span<const PointId> made,

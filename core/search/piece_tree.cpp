@@ -13,8 +13,17 @@ std::vector<Box> boxes_of(std::span<const PieceTree::Edge> edges) {
 }  // namespace
 
 PieceTree::PieceTree(std::span<const Edge> edges, bool along_curve) {
+  build(edges, {}, along_curve);
+}
+
+PieceTree::PieceTree(std::span<const Edge> edges, const std::vector<std::uint32_t>& group) {
+  build(edges, group, false);
+}
+
+void PieceTree::build(std::span<const Edge> edges, const std::vector<std::uint32_t>& group,
+                      bool along_curve) {
   const std::vector<Box> boxes = boxes_of(edges);
-  tree_ = BoxTree(boxes, {}, along_curve);
+  tree_ = BoxTree(boxes, group, along_curve);
   if (are_mostly_empty(boxes))
     oriented_.emplace(tree_, [&](std::uint32_t e, const auto& add) {
       add(edges[e].from);

@@ -19,6 +19,8 @@ class PieceTree {
     Vec3 from, to;
   };
   explicit PieceTree(std::span<const Edge> edges, bool along_curve = false);
+  /// The same; edges of one group (per edge, or BoxTree::no_group) are no pairs in self_overlaps.
+  PieceTree(std::span<const Edge> edges, const std::vector<std::uint32_t>& group);
   /// The convex hull of some points, at least one, as one piece.
   explicit PieceTree(std::span<const Vec3> hull);
 
@@ -38,6 +40,9 @@ class PieceTree {
 
  private:
   const OrientedTree* oriented() const { return oriented_ ? &*oriented_ : nullptr; }
+
+  void build(std::span<const Edge> edges, const std::vector<std::uint32_t>& group,
+             bool along_curve);
 
   BoxTree tree_;
   std::optional<OrientedTree> oriented_;
