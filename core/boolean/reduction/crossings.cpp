@@ -7,6 +7,7 @@
 #include "boolean/reduction/contact_table.h"
 #include "geometry/probe.h"
 #include "numbers/threshold.h"
+#include "search/edge_fans.h"
 #include "search/piece_tree.h"
 
 namespace sectile {
@@ -43,10 +44,15 @@ class CrossingEdges {
       return;
     }
     std::vector<PieceTree::Edge> edges;
+    std::vector<EdgeFans::Ends> ends;
     edges.reserve(records.size());
-    for (const std::uint32_t r : records)
+    ends.reserve(records.size());
+    for (const std::uint32_t r : records) {
       edges.push_back({w_.geometry.position(end(r, 0)), w_.geometry.position(end(r, 1))});
-    PieceTree(edges).self_overlaps([&](std::uint32_t i, std::uint32_t j) {
+      const PlaceId* const place = found_.segments[r].place;
+      ends.push_back({place[0].value(), place[1].value()});
+    }
+    PieceTree(edges, EdgeFans(ends).of_edge()).self_overlaps([&](std::uint32_t i, std::uint32_t j) {
       cross(records[std::min(i, j)], records[std::max(i, j)], out);
     });
   }

@@ -7,97 +7,50 @@
 #include "boolean/face_location.h"
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
+#include "boolean/reduction/edges_in_faces.h"
 #include "boolean/reduction/standing.h"
 #include "search/face_corners.h"
 #include "search/face_triangles.h"
-#include "search/piece_tree.h"
 #include "sectile/errors.h"
 
 namespace sectile {
 namespace {
 
-// The segments of edges of solid s in faces of the other one, by these faces.
-class EdgesInFaces {
- public:
-  EdgesInFaces(const Workspace& w, const Contacts& found, Operand s) : w_(w), found_(found), s_(s) {
-    for (std::uint32_t i = 0; i < found.segments.size(); ++i)
-      if (found.segments[i].on[s].is_edge() && found.segments[i].on[other(s)].is_face())
-        order_.push_back(i);
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::uint32_t i, std::uint32_t j) { return face(i) < face(j); });
-    for (std::uint32_t from = 0, to; from < order_.size(); from = to) {
-      std::vector<PieceTree::Edge> edges;
-      for (to = from; to < order_.size() && face(order_[to]) == face(order_[from]); ++to)
-        edges.push_back({end(order_[to], 0), end(order_[to], 1)});
-      groups_.push_back({face(order_[from]), from, to, PieceTree(edges)});
-    }
-  }
-
-  /// How many records there are in a face.
-  std::size_t count(FaceId in) const {
-    const Group* group = find(in);
-    return group ? group->end - group->first : 0;
-  }
-  /// Adds the records in a face that come near a polygon.
-  void add_near(FaceId in, std::span<const Vec3> polygon, std::vector<std::uint32_t>& found) const {
-    const Group* group = find(in);
-    if (!group) return;
-    PieceTree::overlaps(group->tree, PieceTree(polygon), [&](std::uint32_t i, std::uint32_t) {
-      found.push_back(order_[group->first + i]);
-    });
-  }
-
- private:
-  struct Group {
-    FaceId face;
-    std::uint32_t first, end;
-    PieceTree tree;
-  };
-
-  const Group* find(FaceId in) const {
-    const auto group = std::partition_point(groups_.begin(), groups_.end(),
-                                            [&](const Group& g) { return g.face < in; });
-    return group != groups_.end() && group->face == in ? &*group : nullptr;
-  }
-
-  FaceId face(std::uint32_t record) const { return found_.segments[record].on[other(s_)].face(); }
-  const Vec3& end(std::uint32_t record, int which) const {
-    return w_.geometry.position(found_.point(found_.segments[record].place[which]));
-  }
-
-  const Workspace& w_;
-  const Contacts& found_;
-  Operand s_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Group> groups_;
-};
-
 class TouchedFaces {
  public:
-  TouchedFaces(const Workspace& w, const Contacts& found, Operand s)
-      : w_(w), kernel_(w.tests()), found_(found), s_(s), edges_(w, found, s) {}
+  TouchedFaces(const Workspace& w, const Contacts& found, std::span<const PairOfFaces> flush,
+               Operand s)
+      : w_(w),
+        kernel_(w.tests()),
+        found_(found),
+        flush_(flush),
+        s_(s),
+        edges_(w, found, flush, s) {}
 
-  void operator()(const PairOfFaces& pair, SegmentRecords& out) const {
+  void operator()(std::size_t pair, SegmentRecords& out) const {
     if (patch().unbounded) return;
-    const FaceId mine = pair.face[s_], across = pair.face[other(s_)];
-    for (const std::uint32_t r : records_near(mine, across))
+    const FaceId mine = flush_[pair].face[s_];
+    for (const std::uint32_t r : records_near(pair, mine))
       if (!borders(found_.segments[r].on[s_].edge(), mine)) add(found_.segments[r], mine, out);
   }
 
  private:
   const Patch& patch() const { return w_.patch[s_]; }
-  // Those in a face that come near another one.
-  std::vector<std::uint32_t> records_near(FaceId mine, FaceId across) const {
+  // Those in the other face that come near this one.
+  std::vector<std::uint32_t> records_near(std::size_t pair, FaceId mine) const {
     const Brep& brep = patch().brep;
+    const EdgesInFaces::Beside beside = edges_.beside(flush_[pair]);
     std::vector<std::uint32_t> near;
-    if (may_lie_in_holes(mine, edges_.count(across))) {
+    if (!beside.group) return near;
+    if (may_lie_in_holes(mine, beside.group->records.size())) {
       for (const std::array<Vec3, 3>& triangle : face_triangles(brep, kernel_, mine))
-        edges_.add_near(across, triangle, near);
+        edges_.add_near(beside, triangle, near);
     } else {
       with_outer_corners(brep, w_.geometry, mine, [&](std::span<const Vec3> corners) {
-        edges_.add_near(across, corners, near);
+        edges_.add_near(beside, corners, near);
       });
     }
+    edges_.add_from_corners(pair, near);
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     return near;
@@ -157,6 +110,7 @@ class TouchedFaces {
   const Workspace& w_;
   const Kernel& kernel_;
   const Contacts& found_;
+  std::span<const PairOfFaces> flush_;
   Operand s_;
   EdgesInFaces edges_;
 };
@@ -170,10 +124,10 @@ void add_touched_faces(const Workspace& w, const ContactTable& table, Contacts& 
   if (flush.empty()) return;
   SegmentRecords more;
   for (const Operand s : both_operands) {
-    const TouchedFaces touched(w, found, s);
-    append(more, joined(collect<SegmentRecords>(
-                     w, flush.size(), 64,
-                     [&](std::size_t i, SegmentRecords& out) { touched(flush[i], out); })));
+    const TouchedFaces touched(w, found, flush, s);
+    append(more,
+           joined(collect<SegmentRecords>(
+               w, flush.size(), 64, [&](std::size_t i, SegmentRecords& out) { touched(i, out); })));
   }
   append(found.segments, more);
 }

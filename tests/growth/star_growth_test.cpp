@@ -1,0 +1,73 @@
+// Stars: walls that begin in one point and stand on a floor. In its plane all their edges have the
+// point in common.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "append_mesh.h"
+#include "growth/steps.h"
+#include "sectile/arrangement.h"
+#include "sectile/boolean.h"
+#include "sectile/primitives.h"
+#include "sectile/repair.h"
+#include "sectile/solid.h"
+
+namespace sectile {
+namespace {
+
+PolygonMesh star(std::size_t walls) {
+  PolygonMesh all;
+  const double step = 2 * std::numbers::pi / static_cast<double>(walls);
+  for (std::size_t i = 0; i < walls; ++i) {
+    const double a = step * static_cast<double>(i), b = a + 0.5 * step;
+    PolygonMesh wall{{}, {3, 3, 4, 4, 4}, {0, 2, 1, 3, 4, 5, 0, 1, 4, 3, 1, 2, 5, 4, 2, 0, 3, 5}};
+    for (const double z : {0.0, 1.0}) {
+      wall.positions.push_back({0, 0, z});
+      wall.positions.push_back({std::cos(a), std::sin(a), z});
+      wall.positions.push_back({std::cos(b), std::sin(b), z});
+    }
+    test::append(wall, all);
+  }
+  return all;
+}
+
+Solid ground() {
+  return block({-2, -2, -1}, {2, 2, 0});
+}
+
+TEST(StarGrowth, OnAFloorInABoolean) {
+  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract})
+    EXPECT_LT(growth(
+                  [&](std::size_t n) {
+                    const Solid walls = Solid::from_mesh(star(n));
+                    return [=] { boolean(walls, ground(), operation); };
+                  },
+                  200),
+              n_log_n);
+}
+
+TEST(StarGrowth, OnAFloorAsCells) {
+  EXPECT_LT(growth(
+                [](std::size_t n) {
+                  const std::vector<Solid> both{Solid::from_mesh(star(n)), ground()};
+                  return [both] { cells(both); };
+                },
+                200),
+            n_log_n);
+}
+
+TEST(StarGrowth, OnAFloorInARepair) {
+  EXPECT_LT(growth(
+                [](std::size_t n) {
+                  PolygonMesh mesh = star(n);
+                  test::append(ground().to_mesh(), mesh);
+                  return [mesh] { repair(mesh); };
+                },
+                200),
+            n_log_n);
+}
+
+}  // namespace
+}  // namespace sectile
