@@ -40,45 +40,79 @@ std::vector<double> bends(const Vec3& from, const Vec3& to) {
 // The radius is greater than what is rounded here.
 Box box_around(const SpacePartition::Rod& r) {
   Bounds bounds;
-  for (const Vec3& p : {r.from, r.to})
-    for (const double by : {-r.radius, r.radius}) bounds.add({p.x + by, p.y + by, p.z + by});
+  for (const auto& [p, radius] : {std::pair(r.from, r.radius[0]), {r.to, r.radius[1]}})
+    for (const double by : {-radius, radius}) bounds.add({p.x + by, p.y + by, p.z + by});
   return bounds.box();
 }
 
-// Is a rod on one side of the plane through the other one and the middle of the cube?
+// From the lowest to the highest value along a normal of some length.
+struct Range {
+  double low, high;
+};
+Range range(const SpacePartition::Rod& r, const Vec3& normal, double size) {
+  const double from = dot(normal, r.from), to = dot(normal, r.to);
+  const double at_from = 1.01 * r.radius[0] * size, at_to = 1.01 * r.radius[1] * size;
+  return {std::min(from - at_from, to - at_to), std::max(from + at_from, to + at_to)};
+}
+
+// Does a plane of some direction have the two rods on different sides?
+bool is_between(const SpacePartition::Rod& r, const SpacePartition::Rod& s, const Vec3& normal) {
+  const double size = std::sqrt(dot(normal, normal));
+  const Range of_r = range(r, normal, size), of_s = range(s, normal, size);
+  return of_r.low > of_s.high + 64 * unit || of_s.low > of_r.high + 64 * unit;
+}
+
+// Is a rod on one side of the plane through the other one and the middle of the cube, or, if that
+// one is pointed, of one along its sides?
 bool is_beside(const SpacePartition::Rod& r, const SpacePartition::Rod& s) {
   const Vec3 normal = cross(s.from, s.to);
-  const double reach = 1.01 * (r.radius + s.radius) * std::sqrt(dot(normal, normal)) + 64 * unit;
-  const double from = dot(normal, r.from), to = dot(normal, r.to);
-  return std::min(from, to) > reach || std::max(from, to) < -reach;
+  if (is_between(r, s, normal)) return true;
+  const double size = std::sqrt(dot(normal, normal)), least = std::min(s.radius[0], s.radius[1]);
+  if (!(size > 0) || std::max(s.radius[0], s.radius[1]) < 2 * least) return false;
+  for (const double side : {-1 / size, 1 / size}) {
+    const Vec3 from = s.from + (side * s.radius[0]) * normal,
+               to = s.to + (side * s.radius[1]) * normal;
+    if (is_between(r, s, cross(from, to))) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
-// Unit vectors have a coordinate of more than 1/2: where those are off by an error, places on the
-// cube are by less than 5 of it, and some roundings. An arc that is not known is all of the cube.
+// What is off a place on the way by less than 1/16, where the greatest coordinate is m, is off on
+// the cube by less than 3.5 / m times as much: the length of a place is sqrt(3) m at most, and m is
+// more than 0.4. That changes along a rod as the radius does. An arc that is not known is all of
+// the cube.
 void ArcPartition::Rods::add(const SeenArc& seen, std::uint32_t number, std::uint32_t its_label) {
-  const auto add_rod = [&](const Vec3& from, const Vec3& to, double radius) {
-    SpacePartition::Rod made;
-    made.from = from;
-    made.to = to;
-    made.radius = radius;
+  const auto add_rod = [&](const SpacePartition::Rod& made) {
     rod.push_back(made);
     arc.push_back(number);
     label.push_back(its_label);
   };
-  if (!seen.is_known()) return add_rod({0, 0, 0}, {0, 0, 0}, 2);
-  const double radius = 5 * seen.error() + 64 * unit;
+  SpacePartition::Rod next;
+  next.radius = {2, 2};
+  if (!seen.is_known()) return add_rod(next);
   const std::span<const Vec3> way = seen.way();
   for (std::size_t k = 1; k < way.size(); ++k) {
     const Vec3 &from = way[k - 1], &to = way[k];
-    Vec3 last = on_cube(from);
+    const auto end_at = [&](double share, const Vec3& place) {
+      const double radius = seen.radius(k - 1) + share * (seen.radius(k) - seen.radius(k - 1));
+      next.to = on_cube(place);
+      next.radius[1] = 3.5 * radius / max_norm(place) + 64 * unit;
+    };
+    const auto begin_there = [&] {
+      next.from = next.to;
+      next.radius[0] = next.radius[1];
+    };
+    end_at(0, from);
     for (const double share : bends(from, to)) {
-      const Vec3 next = on_cube(from + share * (to - from));
-      add_rod(last, next, radius);
-      last = next;
+      begin_there();
+      end_at(share, from + share * (to - from));
+      add_rod(next);
     }
-    add_rod(last, on_cube(to), radius);
+    begin_there();
+    end_at(1, to);
+    add_rod(next);
   }
 }
 

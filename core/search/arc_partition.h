@@ -2,7 +2,7 @@
 //
 // On the surface of a cube around the point from which they are seen, arcs are line segments. As a
 // rule few of their boxes overlap; where arcs are long and aslant very many do, and then the cube
-// is divided by planes until there are few in each part of it.
+// is divided by planes through its middle, along arcs, until there are few in each part of it.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ class ArcPartition {
       return;
     }
     std::unordered_set<std::uint64_t> known;
-    const SpacePartition space(rods_.rod, rods_.label);
+    const SpacePartition space(rods_.rod, rods_.label, SpacePartition::Planes::through_origin);
     for (const SpacePartition::Cell& cell : space.cells(1))
       space.for_each_pair(cell, [&](std::uint32_t i, std::uint32_t j) {
         const auto [f, g] = std::minmax(rods_.arc[i], rods_.arc[j]);

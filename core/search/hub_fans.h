@@ -202,7 +202,7 @@ std::vector<SeenArc> HubFans::arcs(const Fan& fan, const Geometry& geometry,
     for_each_corner(f, [&](PointId p) {
       if (p != fan.points[0]) others.push_back(geometry.position(p));
     });
-    arcs.push_back(SeenArc::from_corner(geometry.position(fan.points[0]), others));
+    arcs.push_back(SeenArc::from_point(geometry.position(fan.points[0]), others));
   }
   return arcs;
 }

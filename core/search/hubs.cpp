@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "search/seen_arc.h"
+
 namespace sectile {
 namespace {
 
@@ -83,7 +85,7 @@ std::vector<SeenArc> arcs_seen_from(PointId hub, const Brep& brep, const Geometr
       const PointId p = brep.point_of(brep.from(h));
       if (p != hub) others.push_back(geometry.position(p));
     });
-    arcs.push_back(SeenArc::from_corner(geometry.position(hub), others));
+    arcs.push_back(SeenArc::from_point(geometry.position(hub), others));
   }
   return arcs;
 }

@@ -11,10 +11,11 @@
 #include "geometry/geometry.h"
 #include "numbers/threshold.h"
 #include "search/edges_by_line.h"
-#include "search/seen_arc.h"
 #include "topology/brep.h"
 
 namespace sectile {
+
+class SeenArc;
 
 class Hubs {
  public:

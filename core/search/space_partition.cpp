@@ -39,19 +39,23 @@ double distance_from_segment(const Vec3& p, const Vec3& from, const Vec3& to) {
 
 SpacePartition::Rod::Rod(std::span<const Vec3> points)
     : from(farthest_point_from(points[0], points)), to(farthest_point_from(from, points)) {
-  for (const Vec3& p : points) radius = std::max(radius, distance_from_segment(p, from, to));
+  double most = 0;
+  for (const Vec3& p : points) most = std::max(most, distance_from_segment(p, from, to));
+  radius = {most, most};
 }
 
 // A value along a normal is a sum of three products, and so is the error of a rod; a place that is
 // cut out of a rod has a few more roundings. All are less than 64 units of the greatest coordinate,
 // and planes go through the things, so that they are no farther away. Lengths whose squares
 // underflow are less than 2^-500; with numbers near the end of doubles nothing is certain.
-SpacePartition::SpacePartition(std::vector<Rod> rods, std::vector<std::uint32_t> labels)
-    : rods_(std::move(rods)), labels_(std::move(labels)) {
+SpacePartition::SpacePartition(std::vector<Rod> rods, std::vector<std::uint32_t> labels,
+                               Planes planes)
+    : rods_(std::move(rods)), labels_(std::move(labels)), planes_(planes) {
   double reach = 0;
   for (const Rod& rod : rods_) reach = std::max({reach, max_norm(rod.from), max_norm(rod.to)});
   is_certain_ = reach < 0x1p500;
-  for (Rod& rod : rods_) rod.radius += 0x1p-44 * reach + 0x1p-500;
+  for (Rod& rod : rods_)
+    for (double& radius : rod.radius) radius += 0x1p-44 * reach + 0x1p-500;
 }
 
 // Pieces come by their labels.
@@ -81,6 +85,18 @@ class SpacePartition::PlaneChoice {
   }
 
   Plane best() {
+    if (space_.planes_ == Planes::through_origin)
+      try_through_origin();
+    else
+      try_all();
+    return best_;
+  }
+
+ private:
+  static constexpr std::size_t sample_size = 32;
+  static constexpr int tries = 4;
+
+  void try_all() {
     for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) try_through_middle(axis);
     for (int i = 0; i < tries; ++i) {
       const Rod &rod = any_rod(), &other = any_rod();
@@ -92,12 +108,17 @@ class SpacePartition::PlaneChoice {
       try_through_middle(cross(along, across));
       try_through_middle(along);
     }
-    return best_;
   }
 
- private:
-  static constexpr std::size_t sample_size = 32;
-  static constexpr int tries = 4;
+  // Those that hold a rod cut few others, if few cross each other.
+  void try_through_origin() {
+    for (int i = 0; i < 2 * tries; ++i) {
+      const Rod& rod = any_rod();
+      const Vec3 &p = any_end(), &q = any_end();
+      for (const Vec3& normal : {cross(rod.from, rod.to), cross(p, q)})
+        if (is_usable(normal)) try_plane({unit(normal), 0});
+    }
+  }
 
   const Rod& any_rod() { return space_.rods_[sample_[random_() % sample_.size()].thing]; }
   const Vec3& any_end() {
@@ -136,9 +157,10 @@ class SpacePartition::PlaneChoice {
     for (const Piece& piece : sample_) {
       const double p = dot(plane.normal, space_.at(piece, piece.from)),
                    q = dot(plane.normal, space_.at(piece, piece.to));
-      const double radius = space_.rods_[piece.thing].radius;
-      if (std::min(p, q) - radius <= plane.at) below.add(space_.labels_[piece.thing]);
-      if (std::max(p, q) + radius >= plane.at) above.add(space_.labels_[piece.thing]);
+      const Rod& rod = space_.rods_[piece.thing];
+      const double at_p = rod.radius_at(piece.from), at_q = rod.radius_at(piece.to);
+      if (std::min(p - at_p, q - at_q) <= plane.at) below.add(space_.labels_[piece.thing]);
+      if (std::max(p + at_p, q + at_q) >= plane.at) above.add(space_.labels_[piece.thing]);
     }
     const std::size_t pairs = below.pairs() + above.pairs();
     if (pairs >= fewest_ || std::max(below.count(), above.count()) == sample_.size()) return;
@@ -237,9 +259,11 @@ SpacePartition::Cell SpacePartition::below(const Plane& plane, const Cell& cell)
 std::optional<SpacePartition::Piece> SpacePartition::below(const Plane& plane,
                                                            const Piece& piece) const {
   const Rod& rod = rods_[piece.thing];
-  const double start = dot(plane.normal, rod.from), rise = dot(plane.normal, rod.to) - start;
+  // Of the side of the rod that is the lower one.
+  const double start = dot(plane.normal, rod.from) - rod.radius[0],
+               rise = dot(plane.normal, rod.to) - rod.radius[1] - start;
   const double from = start + piece.from * rise, to = start + piece.to * rise;
-  const double most = plane.at + rod.radius;
+  const double most = plane.at;
   if (from > most && to > most) return {};
   Piece part = piece;
   if (to > most) part.to = std::min(part.to, (most - start) / rise);
@@ -266,11 +290,12 @@ Vec3 SpacePartition::at(const Piece& piece, double share) const {
 }
 
 Box SpacePartition::box_of(const Piece& piece) const {
-  const double radius = rods_[piece.thing].radius;
   if (!is_certain_) return Box::everything();
-  const Vec3 about{radius, radius, radius};
   Bounds bounds;
-  for (const Vec3& p : {at(piece, piece.from), at(piece, piece.to)}) {
+  for (const double share : {piece.from, piece.to}) {
+    const Vec3 p = at(piece, share);
+    const double radius = rods_[piece.thing].radius_at(share);
+    const Vec3 about{radius, radius, radius};
     bounds.add(p - about);
     bounds.add(p + about);
   }

@@ -3,6 +3,7 @@
 // partition does it, until the things in each cell have few others beside them there.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -14,10 +15,12 @@ namespace sectile {
 
 class SpacePartition {
  public:
-  /// All points that are so near to a line segment.
+  /// All points that are so near to a line segment, from its one end to the other.
   struct Rod {
     Vec3 from, to;
-    double radius = 0;
+    std::array<double, 2> radius{};
+
+    double radius_at(double share) const { return radius[0] + share * (radius[1] - radius[0]); }
 
     Rod() = default;
     /// Around the convex hull of some points, at least one, but for rounding.
@@ -26,9 +29,13 @@ class SpacePartition {
 
   static constexpr std::uint32_t no_label = BoxTree::no_group;
 
+  /// Where the things are what is seen from the origin, planes through it say most.
+  enum class Planes { any, through_origin };
+
   /// The things are in their rods, but for half an ulp in each coordinate, and for what rounds a
   /// rod. Two of one label (per thing) are no pair.
-  SpacePartition(std::vector<Rod> rods, std::vector<std::uint32_t> labels);
+  SpacePartition(std::vector<Rod> rods, std::vector<std::uint32_t> labels,
+                 Planes planes = Planes::any);
 
   /// Part of a thing, from and to where on its rod.
   struct Piece {
@@ -82,6 +89,7 @@ class SpacePartition {
 
   std::vector<Rod> rods_;
   std::vector<std::uint32_t> labels_;
+  Planes planes_;
   bool is_certain_ = true;
 };
 

@@ -49,7 +49,7 @@ struct Sector {
   }
   SeenArc seen() const {
     const Vec3 others[] = {place(first), place(last)};
-    return SeenArc::from_corner({0, 0, 0}, others);
+    return SeenArc::from_point({0, 0, 0}, others);
   }
 };
 
@@ -125,36 +125,98 @@ TEST(ArcPartition, FindsNoneOfPlanesAroundACone) {
   for (int i = 0; i < count; ++i) {
     const double turn = 2 * std::numbers::pi * i / count, x = std::cos(turn), y = std::sin(turn);
     const Vec3 ends[] = {{x - 0.1 * y, y + 0.1 * x, 2}, {-x - 0.1 * y, -y + 0.1 * x, -2}};
-    arcs.push_back(SeenArc::from_corner({0, 0, 0}, ends));
+    arcs.push_back(SeenArc::from_point({0, 0, 0}, ends));
   }
   EXPECT_TRUE(pairs_of_arcs(arcs).empty());
+}
+
+// Of each two with one direction in common, whose sides are nearly beside each other: pointed arcs.
+TEST(ArcPartition, FindsAllThinSectorsThroughOneDirection) {
+  std::mt19937 random(3);
+  const auto any = [&](int size) {
+    const auto coordinate = [&] { return double(random() % unsigned(2 * size + 1)) - size; };
+    return Vec3{coordinate(), coordinate(), coordinate()};
+  };
+  const auto times = [](double s, const Vec3& p) { return Vec3{s * p.x, s * p.y, s * p.z}; };
+  const auto plus = [](const Vec3& p, const Vec3& q) {
+    return Vec3{p.x + q.x, p.y + q.y, p.z + q.z};
+  };
+  const Vec3 common{320, -450, 790};
+  std::vector<SeenArc> arcs;
+  while (arcs.size() < 100) {
+    // The common direction is that of the sum of the tip and both corners at the other end.
+    const Vec3 tip = any(900), side = any(20),
+               end = plus(times(double(1 + random() % 2), common), times(-0.5, tip));
+    const Vec3 corners[] = {tip, plus(end, side), plus(end, times(-1, side))};
+    const SeenArc arc = SeenArc::from_point({0, 0, 0}, corners);
+    if (arc.is_known()) arcs.push_back(arc);
+  }
+  EXPECT_EQ(pairs_of_arcs(arcs).size(), arcs.size() * (arcs.size() - 1) / 2);
+}
+
+/// Half a turn from a direction over another one.
+struct HalfTurn {
+  Whole end, side;
+
+  Sector first() const { return {end, side}; }
+  Sector second() const { return {side, turned(end)}; }
+  bool meets(const HalfTurn& other) const {
+    for (const Sector& mine : {first(), second()})
+      for (const Sector& across : {other.first(), other.second()})
+        if (mine.meets(across)) return true;
+    return false;
+  }
+};
+
+TEST(ArcPartition, FindsHalfTurnsThatMeet) {
+  std::mt19937 random(4);
+  for (const int size : {2, 50}) {
+    std::vector<HalfTurn> turns;
+    std::vector<SeenArc> arcs;
+    for (int i = 0; i < 150; ++i) {
+      const Sector of = any_sector(random, size);
+      turns.push_back({of.first, of.last});
+      const Vec3 sides[] = {place(of.last)};
+      arcs.push_back(SeenArc::from_edge({0, 0, 0}, place(of.first), sides));
+      EXPECT_TRUE(arcs.back().is_known());
+    }
+    const Pairs pairs = pairs_of_arcs(arcs);
+    std::size_t meet = 0;
+    for (std::uint32_t i = 0; i < turns.size(); ++i)
+      for (std::uint32_t j = i + 1; j < turns.size(); ++j) {
+        if (!turns[i].meets(turns[j])) continue;
+        ++meet;
+        EXPECT_TRUE(std::ranges::binary_search(pairs, std::pair(i, j))) << i << ' ' << j;
+      }
+    EXPECT_LT(pairs.size(), meet + meet / 8);
+  }
 }
 
 TEST(ArcPartition, FindsAllOfWhatDoublesDoNotTell) {
   const double most = 0x1p600;
   const Vec3 others[] = {{most, 0, 0}, {0, most, 0}};
-  std::vector<SeenArc> arcs{SeenArc::from_corner({0, 0, 0}, others)};
+  std::vector<SeenArc> arcs{SeenArc::from_point({0, 0, 0}, others)};
   EXPECT_FALSE(arcs[0].is_known());
   const Vec3 x[] = {{1, 0, 0}, {1, 1, 0}}, z[] = {{0, 0, -1}, {0, 1, -2}};
-  arcs.push_back(SeenArc::from_corner({0, 0, 0}, x));
-  arcs.push_back(SeenArc::from_corner({0, 0, 0}, z));
+  arcs.push_back(SeenArc::from_point({0, 0, 0}, x));
+  arcs.push_back(SeenArc::from_point({0, 0, 0}, z));
   EXPECT_EQ(pairs_of_arcs(arcs), (Pairs{{0, 1}, {0, 2}}));
 }
 
 TEST(SeenArc, OfHalfATurnOrMoreIsNotKnown) {
   const Vec3 around[] = {{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}}, half[] = {{1, 0, 0}, {-1, 0, 0}};
-  EXPECT_FALSE(SeenArc::from_corner({0, 0, 0}, around).is_known());
-  EXPECT_FALSE(SeenArc::from_corner({0, 0, 0}, half).is_known());
+  EXPECT_FALSE(SeenArc::from_point({0, 0, 0}, around).is_known());
+  EXPECT_FALSE(SeenArc::from_point({0, 0, 0}, half).is_known());
 }
 
 // Far from the origin, where doubles tell little of what is small.
 TEST(SeenArc, KnowsItsError) {
   const auto corner = [](double far, double size) {
     const Vec3 others[] = {{far + size, far, far}, {far, far + size, far}};
-    return SeenArc::from_corner({far, far, far}, others);
+    return SeenArc::from_point({far, far, far}, others);
   };
-  EXPECT_LT(corner(0, 1).error(), 1e-13);
-  EXPECT_GT(corner(0x1p30, 0x1p-10).error(), 1e-5);
+  EXPECT_LT(corner(0, 1).radius(1), 1e-13);
+  EXPECT_GT(corner(0x1p30, 0x1p-10).radius(1), 1e-5);
   EXPECT_FALSE(corner(0x1p50, 1).is_known());
 }
 
