@@ -9,6 +9,7 @@
 
 #include "search/arc_partition.h"
 #include "search/box_tree.h"
+#include "search/crossing_fans.h"
 #include "search/hubs.h"
 #include "search/places_on_line.h"
 #include "search/spine_lines.h"
@@ -32,12 +33,15 @@ class HubFans {
   template <class ForEachCorner>
   void join_along_crowded_lines(std::span<const std::uint32_t> some, const Kernel& kernel,
                                 const ForEachCorner& for_each_corner);
+  /// Adds fans around crossings of edges, of some polygons that are in no other fan: those of the
+  /// crossings are numbered in this order.
+  void join_around_crossings(std::span<const std::uint32_t> some, const CrossingFans& crossings);
 
   std::size_t count() const { return fans_.size(); }
   /// Per polygon: its fan, or Hubs::none. Empty if there is no fan.
   const std::vector<std::uint32_t>& of_polygon() const { return of_polygon_; }
   std::span<const std::uint32_t> polygons(std::size_t fan) const { return fans_[fan].polygons; }
-  /// The hub of a fan, or all points on its line, ascending.
+  /// The hub of a fan, or all points on its line, ascending; none of a crossing.
   std::span<const PointId> points(std::size_t fan) const { return fans_[fan].points; }
   bool any_lines() const { return lines_.count() > 0; }
   const SpineLines& lines() const { return lines_; }
@@ -66,6 +70,7 @@ class HubFans {
     std::vector<PointId> points;
     std::vector<std::uint32_t> polygons;
     std::uint32_t line = SpineLines::none;
+    std::vector<SeenArc> arcs;  // of a crossing
   };
 
   template <class ForEachCorner, class Visit>
@@ -100,7 +105,7 @@ HubFans::HubFans(std::span<const std::uint32_t> some, std::size_t count, std::si
     if (corners[p] < Hubs::least_faces) continue;
     if (hub_at.empty()) hub_at.assign(points, Hubs::none);
     hub_at[p] = static_cast<std::uint32_t>(fans_.size());
-    fans_.push_back({{PointId(p)}, {}});
+    fans_.push_back({{PointId(p)}, {}, SpineLines::none, {}});
   }
   if (fans_.empty()) return;
   of_polygon_.assign(count, Hubs::none);
@@ -184,6 +189,24 @@ void HubFans::join_along(std::span<const PointPair> edges, std::span<const std::
   fans_ = std::move(fans);
 }
 
+inline void HubFans::join_around_crossings(std::span<const std::uint32_t> some,
+                                           const CrossingFans& crossings) {
+  if (crossings.count() == 0) return;
+  if (of_polygon_.empty()) of_polygon_.assign(count_, Hubs::none);
+  for (std::size_t c = 0; c < crossings.count(); ++c) {
+    const auto number = static_cast<std::uint32_t>(fans_.size());
+    Fan& fan = fans_.emplace_back();
+    const std::span<const std::uint32_t> polygons = crossings.polygons(c);
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+      const std::uint32_t f = some[polygons[i]];
+      if (of_polygon_[f] != Hubs::none) continue;
+      of_polygon_[f] = number;
+      fan.polygons.push_back(f);
+      fan.arcs.push_back(crossings.arcs(c)[i]);
+    }
+  }
+}
+
 inline std::vector<PointId> HubFans::all_points() const {
   std::vector<PointId> all;
   all.reserve(points_);
@@ -194,6 +217,7 @@ inline std::vector<PointId> HubFans::all_points() const {
 template <class ForEachCorner>
 std::vector<SeenArc> HubFans::arcs(const Fan& fan, const Geometry& geometry,
                                    const ForEachCorner& for_each_corner) const {
+  if (!fan.arcs.empty()) return fan.arcs;
   std::vector<SeenArc> arcs;
   arcs.reserve(fan.polygons.size());
   std::vector<Vec3> others;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 #include <unordered_set>
+#include <utility>
 
 #include "numbers/threshold.h"
 #include "parallel/parallel.h"
@@ -68,9 +69,10 @@ class Traversal {
   /// There is a better way for very many triangles that are near each other.
   struct Crowded {};
 
-  // More tests than so many for each triangle are a reason to look for lines along which many meet;
-  // more tests and pairs of nodes, to give all nodes oriented boxes, as the triangles of surfaces
-  // that lie in layers are apart as layers are; and then, to divide space.
+  // More tests than so many for each triangle are a reason to look for lines along which many meet,
+  // and for points in which their edges cross; more tests and pairs of nodes, to give all nodes
+  // oriented boxes, as the triangles of surfaces that lie in layers are apart as layers are; and
+  // then, to divide space.
   static constexpr std::size_t many_tests = threshold(32, 2), very_many = threshold(128, 4);
   static constexpr std::size_t counted_at_a_time = 1024;
   static constexpr std::size_t least_cells = threshold(64, 2);
@@ -85,10 +87,10 @@ class Traversal {
   }
 
   void start_again() {
-    if (along_lines_.any_lines()) {
-      hubs_ = std::move(along_lines_);
+    if (more_fans_) {
+      hubs_ = *std::move(more_fans_);
       fans_ = NodeLabels(tree_, hubs_.of_polygon());
-      along_lines_ = HubFans();
+      more_fans_.reset();
     } else if (!slanted_.are_most()) {
       slanted_ = SlantedNodes(surface_, geometry_, tree_, SlantedNodes::Which::all);
       most_tests_ *= 4;
@@ -243,8 +245,7 @@ class Traversal {
 
   void note_tests() {
     tests_ += counted_at_a_time;
-    if (tests_ > many_tests * surface_.size() && !looked_for_lines_.exchange(true))
-      look_for_lines();
+    if (tests_ > many_tests * surface_.size()) look_for_fans();
     note_crowd();
   }
   void note_node_pairs() {
@@ -256,11 +257,39 @@ class Traversal {
     if (is_crowded_) throw Crowded();
   }
 
-  // Of walls that have one line in common, each meets all others: the boxes of all hold the line.
-  void look_for_lines() {
-    along_lines_ = fans_around_hubs();
-    along_lines_.join_along_crowded_lines(tree_.order(), kernel_, CornersOf{surface_});
-    if (along_lines_.any_lines()) is_crowded_ = true;
+  // Of walls that have one line in common, or one point within their edges, each meets all others:
+  // the boxes of all hold it.
+  void look_for_fans() {
+    const std::unique_lock lock(looking_, std::try_to_lock);
+    if (!lock || is_crowded_) return;
+    if (!std::exchange(looked_for_lines_, true)) {
+      HubFans along_lines = fans_around_hubs();
+      along_lines.join_along_crowded_lines(tree_.order(), kernel_, CornersOf{surface_});
+      if (along_lines.any_lines()) return start_again_with(std::move(along_lines));
+    }
+    if (!std::exchange(looked_for_crossings_, true)) {
+      const CrossingFans crossings(kernel_, sided_triangles());
+      if (crossings.count() == 0) return;
+      HubFans around_crossings = hubs_;
+      around_crossings.join_around_crossings(tree_.order(), crossings);
+      start_again_with(std::move(around_crossings));
+    }
+  }
+  void start_again_with(HubFans fans) {
+    more_fans_ = std::move(fans);
+    is_crowded_ = true;
+  }
+
+  // In the order of the tree.
+  SidedPolygons sided_triangles() const {
+    SidedPolygons sided;
+    for (const std::uint32_t t : tree_.order()) {
+      for (int k = 0; k < 3; ++k)
+        sided.add_side(surface_.corners[t][static_cast<std::size_t>(k)],
+                       surface_.plane[surface_.neighbour(t, k)]);
+      sided.end_polygon(surface_.plane[t], SidedPolygons::no_label);
+    }
+    return sided;
   }
 
   std::array<Vec3, 3> corners(std::uint32_t t) const {
@@ -352,17 +381,19 @@ class Traversal {
   NodeLabels faces_;
   const Geometry& geometry_;
   const Kernel& kernel_;
-  HubFans hubs_, along_lines_;
+  HubFans hubs_;
+  std::optional<HubFans> more_fans_;  // with which to start again
   NodeLabels fans_, settled_;
   TrianglePairs pairs_;
   std::optional<SpacePartition> space_;  // if triangles are crowded
   std::vector<OrientedBox> oriented_;    // then, in the order of the tree
   std::optional<parallel::Scratch<Found>> found_{std::in_place};
-  std::atomic<bool> enough_{false}, looked_for_lines_{false}, is_crowded_{false};
+  std::atomic<bool> enough_{false}, is_crowded_{false};
+  bool looked_for_lines_ = false, looked_for_crossings_ = false;
   std::atomic<std::size_t> tests_{0}, node_pairs_{0}, done_{0};
   std::size_t most_tests_ = very_many, steps_ = 0;
   double begun_at_ = 0, told_ = 0;  // parts of the progress
-  std::mutex telling_;
+  std::mutex telling_, looking_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "growth/steps.h"
 #include "sectile/primitives.h"
 #include "sectile/solid.h"
+#include "unit/walls_through_a_point.h"
 
 namespace sectile {
 namespace {
@@ -123,6 +124,16 @@ PolygonMesh slanted_prisms_of_all_lengths(std::size_t n) {
     add_slanted_prism(mesh, {x - half, -0.75 * half, -half}, 2 * half);
   }
   return mesh;
+}
+
+PolygonMesh walls_through_a_point(std::size_t n) {
+  test::WallsThroughAPoint walls;
+  walls.count = static_cast<int>(n);
+  return walls.mesh();
+}
+
+TEST(Growth, ImportOfWallsThroughOnePoint) {
+  EXPECT_LT(growth_of_import(walls_through_a_point, 200), n_log_n);
 }
 
 // Spikes from two corners, each past the other one, in all directions that fit.

@@ -10,6 +10,7 @@
 #include "import/soup.h"
 #include "sectile/sectile.h"
 #include "unit/brute_force_solid.h"
+#include "unit/walls_through_a_point.h"
 
 namespace sectile {
 namespace {
@@ -406,6 +407,34 @@ TEST(SelfTest, OneSpikeThatMeetsOneOfAnotherFanIsFound) {
     p = {p.x + by.x, p.y + by.y, p.z + by.z};
   }
   EXPECT_FALSE(accepted(mesh));
+}
+// Each two walls have the point of all in common, which is within an edge of both.
+TEST(SelfTest, WallsThroughOnePoint) {
+  for (const double thickness : {0.1, 0.9}) {
+    test::WallsThroughAPoint walls;
+    walls.count = 400;
+    walls.thickness = thickness;
+    EXPECT_EQ(Solid::from_mesh(walls.mesh()).counts().shells, 400u);
+  }
+}
+
+TEST(SelfTest, OneWallThatCrossesOthersInTheirPointIsFound) {
+  test::WallsThroughAPoint walls, across;
+  across.mirrored = true;
+  PolygonMesh mesh = walls.mesh();
+  across.add(5, mesh);
+  EXPECT_FALSE(accepted(mesh));
+}
+
+TEST(SelfTest, OneWallThatPassesThePointOfOthersByAHair) {
+  test::WallsThroughAPoint walls, passing;
+  walls.count = passing.count = 100;
+  for (const bool outwards : {true, false}) {
+    passing.off = outwards ? 0x1p-20 : -0x1p-20;
+    PolygonMesh mesh;
+    for (int i = 0; i < walls.count; ++i) (i == 7 ? passing : walls).add(i, mesh);
+    EXPECT_EQ(accepted(mesh), outwards);
+  }
 }
 
 TEST(SelfTest, PolygonsThatPassThroughACornerOfTheirsAreNoFaces) {
