@@ -177,7 +177,7 @@ Solid cut_and_assembled(const SolidData& a, const SolidData& b, Operation operat
     try {
       return std::optional(assemble(w, cut(w, pairs, {wanted}), operation, 0));
     } catch (const NeedsAllPairs&) {
-      if (w.crowded_lines.empty() && w.common_faces.empty()) throw;
+      if (w.crowded_lines.empty() && w.crowded_points.empty() && w.common_faces.empty()) throw;
       return std::optional<Solid>();
     }
   };

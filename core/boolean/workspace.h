@@ -28,6 +28,9 @@ struct Workspace {
   /// Two points on each line where very many edges run: not all that meets there was looked for
   /// (boolean/near/crowded_lines.h), or it is in no segments (reduction/crowded_segments.h).
   std::vector<std::array<PointId, 2>> crowded_lines;
+  /// Points through which very many edges run: faces that meet in nothing else were not tested
+  /// (boolean/near/crowded_crossings.h).
+  std::vector<PointId> crowded_points;
   /// What of both boundaries is neither loaded nor tested, as it is the same.
   CommonFaces common_faces;
   /// Where little is near, other threads are not woken.

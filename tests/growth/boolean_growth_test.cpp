@@ -17,6 +17,7 @@
 #include "sectile/rounding.h"
 #include "sectile/solid.h"
 #include "sectile/transform.h"
+#include "unit/walls_through_a_point.h"
 
 namespace sectile {
 namespace {
@@ -124,6 +125,23 @@ Solid flat_spikes(std::size_t n, double turn) {
     add({o + 3, o + 2, o + 1}, mesh);
   }
   return Solid::from_mesh(mesh);
+}
+
+// Those of one solid are between those of the other one, or reach into them.
+TEST(Growth, BooleansOfWallsThroughOnePoint) {
+  for (const double turn : {0.5, 0.125})
+    EXPECT_LT(growth(
+                  [&](std::size_t n) {
+                    test::WallsThroughAPoint walls;
+                    walls.count = static_cast<int>(n);
+                    const Solid a = Solid::from_mesh(walls.mesh());
+                    walls.turn = turn;
+                    const Solid b = Solid::from_mesh(walls.mesh());
+                    boolean_by_cutting(a, a, Operation::unite, {});  // trees
+                    return [=] { boolean(a, b, Operation::unite); };
+                  },
+                  200),
+              n_log_n);
 }
 
 // Far below n²: their ends, long and thin, cross one part of space in all directions.

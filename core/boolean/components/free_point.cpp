@@ -32,6 +32,7 @@ FreePoints::FreePoints(Workspace& w, const Contacts& contacts, Operand operand)
     if (mine.is_face()) face_in_contact_[mine.face()] = 1;
   }
   add_crowded_lines();
+  add_crowded_points();
   if (!patch_.tested.any()) return;
   for (const VertexId v : vertex_in_contact_.ids())
     vertex_in_contact_[v] |= vertex_in_contact_[patch_.tested(v)];
@@ -60,6 +61,21 @@ bool FreePoints::are_on_crowded_line(std::initializer_list<PointId> points) cons
     return std::ranges::all_of(
         points, [&](PointId p) { return are_on_one_line(w_.tests(), line[0], line[1], p); });
   });
+}
+
+void FreePoints::add_crowded_points() {
+  for (const PointId point : w_.crowded_points)
+    for (const VertexId v : brep_.vertices()) {
+      const PointId p = brep_.point_of(v);
+      if (w_.geometry.position(p) == w_.geometry.position(point) && w_.tests().same_point(p, point))
+        vertex_in_contact_[v] = 1;
+    }
+}
+
+bool FreePoints::is_where_pairs_were_left_out(PointId p) const {
+  return are_on_crowded_line({p}) || std::ranges::any_of(w_.crowded_points, [&](PointId point) {
+           return w_.tests().same_point(p, point);
+         });
 }
 
 std::vector<PointId> FreePoints::on_shell_of(FaceId start) {
@@ -138,7 +154,7 @@ PointId FreePoints::within_an_edge(std::vector<EdgeId>& edges) {
       const Construction how = edge_plane_construction(w_, operand_, h, across);
       const PointId made = add_constructed(w_.geometry, how, w_.tests().construct(how));
       w_.kernel->refresh();
-      if (!are_on_crowded_line({made})) return made;  // where it may meet what was left out
+      if (!is_where_pairs_were_left_out(made)) return made;
     }
   }
   return {};
@@ -158,7 +174,7 @@ PointId FreePoints::within_a_face() {
 
 PointId FreePoints::within(FaceId face, double part) {
   return point_in_face(w_, patch_, face, part,
-                       [&](PointId p) { return !are_on_crowded_line({p}); });
+                       [&](PointId p) { return !is_where_pairs_were_left_out(p); });
 }
 
 }  // namespace sectile

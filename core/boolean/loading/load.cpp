@@ -123,7 +123,7 @@ void load_patches(Workspace& w, const SolidData& a, ToLoad of_a, const SolidData
 void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs& all_slots,
           FacePairs& pairs, const Wanted& wanted) {
   w.stay_alone_with_few(all_slots.count_faces(a, b));
-  auto [slots, hubs, found, lines] = find_near(w, a, b, all_slots, wanted);
+  auto [slots, hubs, found, lines, crossings] = find_near(w, a, b, all_slots, wanted);
   pairs = std::move(found);
   NearFaceMarks of_a(a, slots.slots(Operand::a)), of_b(b, slots.slots(Operand::b));
   for (const auto& [f, g] : pairs) {
@@ -131,10 +131,13 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
     of_b.mark(g);
   }
   const PerOperand<std::vector<FaceId>> in_fans = lines ? lines->faces() : hubs.faces();
-  for (const FaceId f : in_fans[Operand::a]) of_a.mark(f);
-  for (const FaceId g : in_fans[Operand::b]) of_b.mark(g);
+  const PerOperand<std::vector<FaceId>> at_crossings = crossings.faces();
+  for (const auto& faces : {in_fans, at_crossings}) {
+    for (const FaceId f : faces[Operand::a]) of_a.mark(f);
+    for (const FaceId g : faces[Operand::b]) of_b.mark(g);
+  }
   ToLoad to_load_of_a{of_a.marked(), {}}, to_load_of_b{of_b.marked(), {}};
-  if (hubs.empty() && !lines) {  // what meets there is in no pair yet
+  if (hubs.empty() && !lines && crossings.empty()) {  // what meets there is in no pair yet
     const PerOperand<const SolidData*> of{{&a, &b}};
     to_load_of_a.far_loops = far_loops(w, Operand::a, of, slots, pairs, to_load_of_a.faces, wanted);
     to_load_of_b.far_loops = far_loops(w, Operand::b, of, slots, pairs, to_load_of_b.faces, wanted);
@@ -151,6 +154,10 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
     lines->mark(w);
   else
     hubs.add_pairs_of_owners(w, pairs);
+  if (!crossings.empty()) {
+    crossings.mark(w);
+    crossings.add_pairs_of_owners(w, pairs);
+  }
   sort(pairs, w.patch[Operand::a].loaded_faces);
 }
 

@@ -2,9 +2,12 @@
 
 #include "boolean/collect.h"
 #include "numbers/threshold.h"
+#include "search/arc_partition.h"
+#include "search/crossing_fans.h"
 #include "search/face_corners.h"
 #include "search/hull.h"
 #include "search/space_partition.h"
+#include "storage/geometry_loader.h"
 
 namespace sectile {
 namespace {
@@ -18,20 +21,43 @@ class CrowdedFaces {
       for (const std::uint32_t slot : slots[s])
         for (std::uint32_t f = 0; f < data_[s]->slot(slot).faces; ++f)
           faces_.push_back({s, slot, FaceId(f)});
-    for (const Face& f : faces_)
-      hulls_.push_back(face_hull(block(f).brep(), block(f).geometry(), f.local));
   }
 
-  FacePairs pairs(const Workspace& w) const {
+  /// From now on, what is around points through which very many edges run is no pair, if it meets
+  /// there only. False: there are none.
+  bool find_crossings() {
+    Geometry geometry;
+    const SidedPolygons polygons = sided_faces(geometry);
+    crossings_ = CrossingFans(Kernel(geometry), polygons);
+    return crossings_.count() > 0;
+  }
+
+  FacePairs pairs(const Workspace& w) {
     constexpr std::size_t least_cells = threshold(64, 2);
+    for (const Face& f : faces_)
+      hulls_.push_back(face_hull(block(f).brep(), block(f).geometry(), f.local));
     const SpacePartition space(rods(), labels());
     const std::vector<SpacePartition::Cell> cells = space.cells(least_cells);
-    return joined(collect<FacePairs>(w, cells.size(), 1, [&](std::size_t cell, FacePairs& out) {
-      space.for_each_pair(cells[cell], [&](std::uint32_t i, std::uint32_t j) {
-        const auto& [f, g] = std::minmax(i, j);  // those of a have the lower numbers
-        if (may_meet(f, g)) out.push_back({in_solid(faces_[f]), in_solid(faces_[g])});
-      });
-    }));
+    FacePairs pairs =
+        joined(collect<FacePairs>(w, cells.size(), 1, [&](std::size_t cell, FacePairs& out) {
+          space.for_each_pair(cells[cell], [&](std::uint32_t i, std::uint32_t j) {
+            const auto& [f, g] = std::minmax(i, j);  // those of a have the lower numbers
+            if (may_meet(f, g)) out.push_back({in_solid(faces_[f]), in_solid(faces_[g])});
+          });
+        }));
+    for (std::size_t fan = 0; fan < crossings_.count(); ++fan) add_pairs_of_fan(fan, pairs);
+    return pairs;
+  }
+
+  CrowdedCrossings crossings() const {
+    CrowdedCrossings crossings;
+    for (std::size_t fan = 0; fan < crossings_.count(); ++fan) {
+      PerOperand<std::vector<FaceId>> faces;
+      for (const std::uint32_t f : crossings_.at_point(fan))
+        faces[faces_[f].solid].push_back(in_solid(faces_[f]));
+      crossings.add(crossings_.geometry(), crossings_.point(fan), std::move(faces));
+    }
+    return crossings;
   }
 
  private:
@@ -55,18 +81,67 @@ class CrowdedFaces {
   }
   // What is in one fan is no pair; of others, those of one solid are none.
   std::vector<std::uint32_t> labels() const {
+    constexpr std::uint32_t first_crossing = 0x80000000u;
     std::vector<std::uint32_t> labels;
     labels.reserve(faces_.size());
-    for (const Face& f : faces_) {
-      const std::uint32_t hub = hubs_.empty() ? Hubs::none : hub_of(f);
-      const std::uint32_t solid = f.solid == Operand::a ? 0 : 1;
-      labels.push_back(hub == Hubs::none ? solid : 2 + hubs_.fan(f.solid, f.slot, hub));
+    for (std::uint32_t i = 0; i < faces_.size(); ++i) {
+      const Face& f = faces_[i];
+      const std::uint32_t hub = hubs_.empty() ? Hubs::none : hub_of(f), crossing = crossing_of(i);
+      if (hub != Hubs::none)
+        labels.push_back(2 + hubs_.fan(f.solid, f.slot, hub));
+      else if (crossing != CrossingFans::none)
+        labels.push_back(first_crossing + crossing);
+      else
+        labels.push_back(f.solid == Operand::a ? 0 : 1);
     }
     return labels;
+  }
+  // Not of what is in the fan of a hub.
+  std::uint32_t crossing_of(std::uint32_t face) const {
+    if (crossings_.count() == 0) return CrossingFans::none;
+    if (!hubs_.empty() && hub_of(faces_[face]) != Hubs::none) return CrossingFans::none;
+    return crossings_.of_polygon()[face];
   }
   std::uint32_t hub_of(const Face& f) const {
     const std::vector<std::uint32_t>& of_face = block(f).tree().hubs().of_face();
     return of_face.empty() ? Hubs::none : of_face[f.local.value()];
+  }
+
+  // With the planes beyond the edges within a block.
+  SidedPolygons sided_faces(Geometry& geometry) const {
+    SidedPolygons polygons;
+    std::optional<GeometryLoader> loader;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const Face& f = faces_[i];
+      const Brep& brep = block(f).brep();
+      if (i == 0 || faces_[i - 1].slot != f.slot || faces_[i - 1].solid != f.solid)
+        loader.emplace(block(f).geometry(), geometry, brep.vertex_count());
+      for_each_in_loop(brep, brep.outer_loop[f.local], [&](HalfEdgeId h) {
+        const bool leaves = block(f).is_border(h);
+        polygons.add_side(
+            loader->point(brep.point_of(brep.from(h))),
+            leaves ? PlaneId() : loader->plane(brep.plane[brep.face_of(Brep::twin(h))]));
+      });
+      polygons.end_polygon(loader->plane(brep.plane[f.local]), f.solid == Operand::a ? 0 : 1);
+    }
+    return polygons;
+  }
+
+  void add_pairs_of_fan(std::size_t fan, FacePairs& pairs) const {
+    PerOperand<std::vector<std::uint32_t>> faces;
+    PerOperand<std::vector<SeenArc>> arcs;
+    const std::span<const std::uint32_t> all = crossings_.polygons(fan);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (crossing_of(all[i]) != fan) continue;
+      faces[faces_[all[i]].solid].push_back(all[i]);
+      arcs[faces_[all[i]].solid].push_back(crossings_.arcs(fan)[i]);
+    }
+    for_each_pair_of_arcs(arcs[Operand::a], arcs[Operand::b],
+                          [&](std::uint32_t i, std::uint32_t j) {
+                            const std::uint32_t f = faces[Operand::a][i], g = faces[Operand::b][j];
+                            if (may_meet(f, g))
+                              pairs.push_back({in_solid(faces_[f]), in_solid(faces_[g])});
+                          });
   }
 
   bool may_meet(std::uint32_t f, std::uint32_t g) const {
@@ -77,6 +152,7 @@ class CrowdedFaces {
   const CommonHubs& hubs_;
   std::vector<Face> faces_;
   std::vector<Hull> hulls_;  // per face: some have very many corners
+  CrossingFans crossings_;
 };
 
 }  // namespace
@@ -85,6 +161,14 @@ FacePairs pairs_of_crowded_faces(const Workspace& w, const SolidData& a, const S
                                  const PerOperand<std::span<const std::uint32_t>>& slots,
                                  const CommonHubs& hubs) {
   return CrowdedFaces(a, b, slots, hubs).pairs(w);
+}
+
+std::optional<PairsBesideCrossings> pairs_beside_crossings(
+    const Workspace& w, const SolidData& a, const SolidData& b,
+    const PerOperand<std::span<const std::uint32_t>>& slots, const CommonHubs& hubs) {
+  CrowdedFaces faces(a, b, slots, hubs);
+  if (!faces.find_crossings()) return {};
+  return PairsBesideCrossings{faces.pairs(w), faces.crossings()};
 }
 
 }  // namespace sectile

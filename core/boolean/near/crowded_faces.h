@@ -2,9 +2,11 @@
 // each other: boxes of blocks and nodes say little about them.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "boolean/near/common_hubs.h"
+#include "boolean/near/crowded_crossings.h"
 #include "boolean/reduction/reduction.h"
 #include "boolean/workspace.h"
 
@@ -15,5 +17,15 @@ namespace sectile {
 FacePairs pairs_of_crowded_faces(const Workspace& w, const SolidData& a, const SolidData& b,
                                  const PerOperand<std::span<const std::uint32_t>>& slots,
                                  const CommonHubs& hubs);
+
+/// The same without faces that meet in nothing but a point through which very many edges run. None
+/// if there is no such point.
+struct PairsBesideCrossings {
+  FacePairs pairs;
+  CrowdedCrossings crossings;
+};
+std::optional<PairsBesideCrossings> pairs_beside_crossings(
+    const Workspace& w, const SolidData& a, const SolidData& b,
+    const PerOperand<std::span<const std::uint32_t>>& slots, const CommonHubs& hubs);
 
 }  // namespace sectile

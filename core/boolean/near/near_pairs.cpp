@@ -120,6 +120,7 @@ class NearPairs {
 // For each face near the other solid. Where there are more, it is worth while to find out why. What
 // differs hangs together with what is common, where there are that many.
 constexpr std::size_t many_pairs = threshold(8, 1), many_pairs_of_what_differs = threshold(64, 16);
+constexpr std::size_t many_pairs_of_a_crowd = threshold(32, 1);
 // A solid that is tested against itself has some for each face at all of its corners.
 constexpr std::size_t many_with_itself = threshold(32, 1);
 
@@ -143,6 +144,8 @@ class NearFinder {
     if (!have_much_in_common)
       if (auto near = what_differs()) return *std::move(near);
     if (auto near = all_but_along_crowded_lines()) return *std::move(near);
+    if (auto near = few(slots_, many_pairs_of_a_crowd)) return *std::move(near);
+    if (auto near = all_but_at_crossings()) return *std::move(near);
     return all();
   }
 
@@ -161,7 +164,7 @@ class NearFinder {
   Near without_pairs(const SlotPairs& slots) const {
     make_trees(w_, a_, slots.slots(Operand::a));
     make_trees(w_, b_, slots.slots(Operand::b));
-    return {slots, CommonHubs(a_, b_, slots.slots(), w_.common_faces), {}, {}};
+    return {slots, CommonHubs(a_, b_, slots.slots(), w_.common_faces), {}, {}, {}};
   }
 
   Near all() const {
@@ -230,6 +233,16 @@ class NearFinder {
     Near near = without_pairs(slots_);
     near.pairs = lines.pairs();
     near.lines = std::move(lines);
+    return near;
+  }
+
+  std::optional<Near> all_but_at_crossings() const {
+    Near near = without_pairs(slots_);
+    auto beside = pairs_beside_crossings(w_, a_, b_, near.slots.slots(), near.hubs);
+    if (!beside) return {};
+    near.pairs = std::move(beside->pairs);
+    near.crossings = std::move(beside->crossings);
+    near.hubs.add_pairs(near.pairs);
     return near;
   }
 

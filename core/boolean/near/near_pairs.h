@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "boolean/near/common_hubs.h"
+#include "boolean/near/crowded_crossings.h"
 #include "boolean/near/crowded_lines.h"
 #include "boolean/near/slot_pairs.h"
 #include "boolean/neighborhoods/neighborhoods.h"
@@ -12,12 +13,13 @@
 namespace sectile {
 
 /// What may meet, but for what is left out: faces that both boundaries have
-/// (Workspace::common_faces), and pairs beside crowded lines.
+/// (Workspace::common_faces), and pairs at crowded lines and points.
 struct Near {
   SlotPairs slots;
   CommonHubs hubs;
   FacePairs pairs;                    ///< of the solids' faces; those of hubs as directions tell
   std::optional<CrowdedLines> lines;  ///< where pairs were left out, if they were
+  CrowdedCrossings crossings;         ///< where they were, too
 };
 
 /// What is `wanted` may be found without all pairs. Fills in what of both is left out.

@@ -75,7 +75,8 @@ struct Contacts {
   PointId point(PlaceId place) const { return places[place]; }
 };
 
-/// Where pairs are missing that were left out along crowded lines, or as common faces.
+/// Where pairs are missing that were left out at crowded lines and points, or as common
+/// faces.
 class NeedsAllPairs : public InternalError {
  public:
   using InternalError::InternalError;
