@@ -6,6 +6,7 @@
 
 #include "boolean/collect.h"
 #include "boolean/near/crowded_faces.h"
+#include "boolean/near/nested_faces.h"
 #include "numbers/threshold.h"
 #include "parallel/scratch.h"
 #include "storage/near_faces.h"
@@ -121,6 +122,8 @@ class NearPairs {
 // differs hangs together with what is common, where there are that many.
 constexpr std::size_t many_pairs = threshold(8, 1), many_pairs_of_what_differs = threshold(64, 16);
 constexpr std::size_t many_pairs_of_a_crowd = threshold(32, 1);
+// All pairs of so few faces that leave their boxes empty are no more than others.
+constexpr std::size_t few_hollow = threshold(16, 0);
 // A solid that is tested against itself has some for each face at all of its corners.
 constexpr std::size_t many_with_itself = threshold(32, 1);
 
@@ -134,19 +137,16 @@ class NearFinder {
       : w_(w), a_(a), b_(b), slots_(slots), wanted_(wanted) {}
 
   Near run() {
-    if (!may_leave_out()) return all();
+    if (!may_leave_out()) return whole();
     if (&a_ == &b_) return with_itself();
     const bool have_much_in_common =
         slots_.have_common_blocks(a_, b_) || seem_to_have_common_faces(a_, b_, slots_.slots());
     if (have_much_in_common)
-      if (auto near = what_differs()) return *std::move(near);
+      if (auto near = what_differs()) return fewest(*std::move(near));
     if (auto near = few(slots_, many_pairs)) return *std::move(near);
     if (!have_much_in_common)
-      if (auto near = what_differs()) return *std::move(near);
-    if (auto near = all_but_along_crowded_lines()) return *std::move(near);
-    if (auto near = few(slots_, many_pairs_of_a_crowd)) return *std::move(near);
-    if (auto near = all_but_at_crossings()) return *std::move(near);
-    return all();
+      if (auto near = what_differs()) return fewest(*std::move(near));
+    return many();
   }
 
  private:
@@ -157,8 +157,26 @@ class NearFinder {
 
   Near with_itself() const {
     if (auto near = few(slots_, many_with_itself)) return *std::move(near);
-    if (auto near = all_but_along_crowded_lines()) return *std::move(near);
+    return many();
+  }
+
+  // Not those that matter, but all.
+  Near whole() const {
+    if (auto near = few(slots_, many_pairs)) return *std::move(near);
+    if (auto near = nested()) return *std::move(near);
     return all();
+  }
+
+  Near many() const {
+    auto near = nested();
+    if (near && near->pairs.size() <= many_with_itself * faces_) return *std::move(near);
+    if (auto beside = all_but_along_crowded_lines()) return *std::move(beside);
+    if (&a_ != &b_) {
+      if (auto few_of_a_crowd = few(slots_, many_pairs_of_a_crowd))
+        return *std::move(few_of_a_crowd);
+      if (auto beside = all_but_at_crossings()) return *std::move(beside);
+    }
+    return near ? *std::move(near) : all();
   }
 
   Near without_pairs(const SlotPairs& slots) const {
@@ -179,6 +197,33 @@ class NearFinder {
     auto pairs = NearPairs(w_, a_, b_, near.slots, near.hubs).few(for_each_face);
     if (!pairs) return {};
     near.pairs = *std::move(pairs);
+    return near;
+  }
+
+  // What is common is among all pairs again, if these are by far fewer when faces that lie in holes
+  // of others are looked at in pieces.
+  Near fewest(Near what_differs) const {
+    if (what_differs.pairs.size() <= many_pairs * faces_) return what_differs;
+    CommonFaces common = std::exchange(w_.common_faces, CommonFaces());
+    if (auto near = nested(); near && 2 * near->pairs.size() < what_differs.pairs.size())
+      return *std::move(near);
+    w_.common_faces = std::move(common);
+    return what_differs;
+  }
+
+  // None if no faces lie in holes of others, or these have so many corners that all pairs of faces
+  // take no longer.
+  std::optional<Near> nested() const {
+    const NestedFaces faces(w_, a_, b_, slots_.slots());
+    if (faces.hollow_faces() <= few_hollow) return {};
+    const std::size_t for_each_face = faces.hollow_corners() / faces_;
+    if (for_each_face > many_pairs)
+      if (auto near = few(slots_, for_each_face)) return near;
+    Near near = without_pairs(slots_);
+    auto pairs = faces.pairs(near.hubs);
+    if (!pairs) return {};
+    near.pairs = *std::move(pairs);
+    near.hubs.add_pairs(near.pairs);
     return near;
   }
 
@@ -250,6 +295,7 @@ class NearFinder {
   const SolidData &a_, &b_;
   const SlotPairs& slots_;
   const Wanted& wanted_;
+  const std::size_t faces_ = slots_.count_faces(a_, b_);
 };
 
 }  // namespace
