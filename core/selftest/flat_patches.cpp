@@ -8,6 +8,8 @@
 #include "numbers/rounding.h"
 #include "numbers/threshold.h"
 #include "parallel/parallel.h"
+#include "search/approximate.h"
+#include "search/box_tree.h"
 #include "selftest/rim_sweep.h"
 
 namespace sectile {
@@ -135,6 +137,56 @@ class PatchFinder {
   std::vector<RimEdge> rim_;
 };
 
+Bounds bounds_of(const TriangleSurface& surface, const Geometry& geometry, std::uint32_t t) {
+  Bounds bounds;
+  for (const PointId p : surface.corners[t]) bounds.add(geometry.position(p));
+  return bounds;
+}
+
+double half_surface(const Bounds& b) {
+  using namespace approximate;
+  const Vec3 size = b.high - b.low;
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+// The box around a patch, if its triangles leave most of that empty; or else none.
+Box hollow_box(const FlatPatch& patch, const TriangleSurface& surface, const Geometry& geometry) {
+  Bounds all;
+  double sum = 0;
+  for (const std::uint32_t t : patch.triangles) {
+    const Bounds bounds = bounds_of(surface, geometry, t);
+    sum += half_surface(bounds);
+    all.add(bounds.low);
+    all.add(bounds.high);
+  }
+  return sum < half_surface(all) ? all.box() : Box();
+}
+
+// Boxes of rings in rings all overlap; those of their triangles do not.
+void drop_nested(std::vector<FlatPatch>& patches, const TriangleSurface& surface,
+                 const Geometry& geometry) {
+  constexpr std::size_t many_others = threshold(8, 1);
+  if (patches.size() <= many_others) return;
+  std::vector<Box> boxes(patches.size());
+  parallel::loop(0, patches.size(),
+                 [&](std::size_t i) { boxes[i] = hollow_box(patches[i], surface, geometry); });
+  const auto is_none = [](const Box& box) { return box.low[0] > box.high[0]; };
+  std::vector<Box> hollow;
+  std::ranges::remove_copy_if(boxes, std::back_inserter(hollow), is_none);
+  if (hollow.size() <= many_others) return;
+  const BoxTree tree(hollow);
+  const auto is_nested = [&](const Box& box) {
+    std::size_t around = 0;  // itself among them
+    tree.query([&](const Box& other) { return around <= many_others + 1 && other.overlaps(box); },
+               [&](std::uint32_t) { ++around; });
+    return around > many_others + 1;
+  };
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    if (is_none(boxes[i]) || !is_nested(boxes[i])) std::swap(patches[kept++], patches[i]);
+  patches.resize(kept);
+}
+
 }  // namespace
 
 FlatPatches::FlatPatches(const TriangleSurface& surface, const Kernel& kernel)
@@ -145,11 +197,12 @@ FlatPatches::FlatPatches(const TriangleSurface& surface, const Kernel& kernel)
   parallel::loop(0, sets.size(), [&](std::size_t i) {
     found[i] = PatchFinder(surface, kernel).run(std::move(sets[i]));
   });
-  number(found);
+  for (auto& some : found) std::move(some.begin(), some.end(), std::back_inserter(patches_));
+  drop_nested(patches_, surface, kernel.geometry());
+  number();
 }
 
-void FlatPatches::number(std::vector<std::vector<FlatPatch>>& found) {
-  for (auto& some : found) std::move(some.begin(), some.end(), std::back_inserter(patches_));
+void FlatPatches::number() {
   if (patches_.empty()) return;
   of_triangle_.assign(surface_.size(), none);
   at_point_.assign(kernel_.geometry().positions.size(), none);

@@ -41,7 +41,7 @@ class FlatPatches {
   bool is_beside(const Box& box, std::size_t patch) const;
 
  private:
-  void number(std::vector<std::vector<FlatPatch>>& found);
+  void number();
 
   const TriangleSurface& surface_;
   const Kernel& kernel_;
