@@ -37,12 +37,11 @@ Seen seen_from(const Kernel& kernel, PointId point, const SidedPolygons& polygon
   const Geometry& geometry = kernel.geometry();
   const Vec3& place = geometry.position(point);
   PointId from, to;  // of the edge that has the point within it
-  polygons.for_each_side(polygon, [&](PointId p, PointId q, PlaneId) {
-    if (is_within_edge(kernel, point, p, q)) from = p, to = q;
-  });
+  for (const SidedPolygons::Side& side : polygons.sides(polygon))
+    if (is_within_edge(kernel, point, side.from, side.to)) from = side.from, to = side.to;
   std::vector<Vec3> others;
   bool is_corner = false;
-  for (const auto& [corner, beyond] : polygons.sides(polygon)) {
+  for (const auto& [corner, next, beyond] : polygons.sides(polygon)) {
     if (corner == from || corner == to) continue;
     if (geometry.position(corner) == place && kernel.same_point(corner, point))
       is_corner = true;

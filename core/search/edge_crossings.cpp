@@ -18,10 +18,7 @@ using namespace approximate;
 constexpr std::size_t least_crossing = threshold(16, 2);
 constexpr std::size_t looks_for_each = threshold(16, 256);
 
-struct Edge {
-  PointId from, to;
-  PlaneId beyond;
-};
+using Edge = SidedPolygons::Side;
 
 // Asks some polygons which others cross their edges, and where.
 class CrossingFinder {
@@ -67,9 +64,8 @@ class CrossingFinder {
                 });
     looks_ += 1 + near_.size();
     if (near_.size() < least_crossing) return;
-    polygons_.for_each_side(polygon, [&](PointId from, PointId to, PlaneId beyond) {
-      find_on({from, to, beyond}, polygons_.plane(polygon));
-    });
+    for (const SidedPolygons::Side& side : polygons_.sides(polygon))
+      find_on(side, polygons_.plane(polygon));
   }
 
   void find_on(const Edge& edge, PlaneId plane) {
@@ -77,9 +73,8 @@ class CrossingFinder {
     constexpr double alike = 0x1p-36;
     hits_.clear();
     for (const std::uint32_t i : near_)
-      polygons_.for_each_side(i, [&](PointId from, PointId to, PlaneId) {
-        if (const auto where = crossing(edge, from, to)) hits_.push_back({*where, i});
-      });
+      for (const SidedPolygons::Side& side : polygons_.sides(i))
+        if (const auto where = crossing(edge, side.from, side.to)) hits_.push_back({*where, i});
     std::ranges::sort(hits_, {}, [](const Hit& hit) { return std::pair(hit.at, hit.polygon); });
     for (std::size_t first = 0, last; first < hits_.size(); first = last) {
       for (last = first + 1; last < hits_.size() && hits_[last].at - hits_[last - 1].at < alike;)

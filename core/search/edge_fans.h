@@ -45,7 +45,7 @@ class EdgeFans {
     arcs.reserve(members(fan).size());
     for (const Member& member : members(fan)) {
       const Vec3 end = place_of(member.end);
-      arcs.push_back(SeenArc::from_corner(place_of(hubs_[fan]), std::span(&end, 1)));
+      arcs.push_back(SeenArc::from_point(place_of(hubs_[fan]), std::span(&end, 1)));
     }
     return arcs;
   }

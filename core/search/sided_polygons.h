@@ -9,15 +9,15 @@
 
 namespace sectile {
 
-/// One side after the other around each polygon.
+/// One side after the other around each polygon, and around each of its holes.
 class SidedPolygons {
  public:
   struct Side {
-    PointId from;
+    PointId from, to;
     PlaneId beyond;  ///< the plane of what is on the other side of it, or none
   };
 
-  void add_side(PointId from, PlaneId beyond) { sides_.push_back({from, beyond}); }
+  void add_side(PointId from, PointId to, PlaneId beyond) { sides_.push_back({from, to, beyond}); }
   /// Those that were added since the last one; of two with one label there is no pair.
   void end_polygon(PlaneId plane, std::uint32_t label) {
     planes_.push_back(plane);
@@ -29,13 +29,6 @@ class SidedPolygons {
   std::span<const Side> sides(std::size_t polygon) const {
     const std::size_t from = polygon == 0 ? 0 : ends_[polygon - 1];
     return std::span(sides_).subspan(from, ends_[polygon] - from);
-  }
-  /// Calls visit(from, to, beyond).
-  template <class Visit>
-  void for_each_side(std::size_t polygon, const Visit& visit) const {
-    const std::span<const Side> all = sides(polygon);
-    for (std::size_t i = 0; i < all.size(); ++i)
-      visit(all[i].from, all[i + 1 < all.size() ? i + 1 : 0].from, all[i].beyond);
   }
   PlaneId plane(std::size_t polygon) const { return planes_[polygon]; }
   /// May these two be a pair?

@@ -286,6 +286,7 @@ class Traversal {
     for (const std::uint32_t t : tree_.order()) {
       for (int k = 0; k < 3; ++k)
         sided.add_side(surface_.corners[t][static_cast<std::size_t>(k)],
+                       surface_.corners[t][static_cast<std::size_t>(k < 2 ? k + 1 : 0)],
                        surface_.plane[surface_.neighbour(t, k)]);
       sided.end_polygon(surface_.plane[t], SidedPolygons::no_label);
     }

@@ -1,6 +1,7 @@
 #include "boolean/components/free_point.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "boolean/components/point_in_face.h"
 #include "boolean/line.h"
@@ -64,18 +65,24 @@ bool FreePoints::are_on_crowded_line(std::initializer_list<PointId> points) cons
 }
 
 void FreePoints::add_crowded_points() {
-  for (const PointId point : w_.crowded_points)
-    for (const VertexId v : brep_.vertices()) {
-      const PointId p = brep_.point_of(v);
-      if (w_.geometry.position(p) == w_.geometry.position(point) && w_.tests().same_point(p, point))
-        vertex_in_contact_[v] = 1;
-    }
+  if (w_.crowded_points.empty()) return;
+  for (const VertexId v : brep_.vertices())
+    if (is_crowded_point(brep_.point_of(v))) vertex_in_contact_[v] = 1;
+}
+
+bool FreePoints::is_crowded_point(PointId p) const {
+  const auto place = [&](PointId q) {
+    const Vec3& at = w_.geometry.position(q);
+    return std::tuple(at.x, at.y, at.z);
+  };
+  auto point = std::ranges::lower_bound(w_.crowded_points, place(p), {}, place);
+  for (; point != w_.crowded_points.end() && place(*point) == place(p); ++point)
+    if (w_.tests().same_point(p, *point)) return true;
+  return false;
 }
 
 bool FreePoints::is_where_pairs_were_left_out(PointId p) const {
-  return are_on_crowded_line({p}) || std::ranges::any_of(w_.crowded_points, [&](PointId point) {
-           return w_.tests().same_point(p, point);
-         });
+  return are_on_crowded_line({p}) || is_crowded_point(p);
 }
 
 std::vector<PointId> FreePoints::on_shell_of(FaceId start) {

@@ -25,6 +25,7 @@ class FreePoints {
  private:
   void add_crowded_lines();
   void add_crowded_points();
+  bool is_crowded_point(PointId point) const;
   bool is_where_pairs_were_left_out(PointId point) const;
   bool are_on_crowded_line(std::initializer_list<PointId> points) const;
   PointId corner_beyond(HalfEdgeId in_solid);

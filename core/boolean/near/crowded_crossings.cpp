@@ -1,6 +1,7 @@
 #include "boolean/near/crowded_crossings.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "boolean/collect.h"
@@ -61,6 +62,10 @@ PerOperand<std::vector<FaceId>> CrowdedCrossings::faces() const {
 void CrowdedCrossings::mark(Workspace& w) const {
   for (const Crossing& crossing : crossings_)
     w.crowded_points.push_back(load_point(geometry_, crossing.point, w.geometry));
+  std::ranges::sort(w.crowded_points, {}, [&](PointId p) {
+    const Vec3& at = w.geometry.position(p);
+    return std::tuple(at.x, at.y, at.z);
+  });
   w.kernel->refresh();
 }
 

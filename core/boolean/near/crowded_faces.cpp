@@ -116,10 +116,10 @@ class CrowdedFaces {
       const Brep& brep = block(f).brep();
       if (i == 0 || faces_[i - 1].slot != f.slot || faces_[i - 1].solid != f.solid)
         loader.emplace(block(f).geometry(), geometry, brep.vertex_count());
-      for_each_in_loop(brep, brep.outer_loop[f.local], [&](HalfEdgeId h) {
+      for_each_in_face(brep, f.local, [&](HalfEdgeId h) {
         const bool leaves = block(f).is_border(h);
         polygons.add_side(
-            loader->point(brep.point_of(brep.from(h))),
+            loader->point(brep.point_of(brep.from(h))), loader->point(brep.point_of(brep.to(h))),
             leaves ? PlaneId() : loader->plane(brep.plane[brep.face_of(Brep::twin(h))]));
       });
       polygons.end_polygon(loader->plane(brep.plane[f.local]), f.solid == Operand::a ? 0 : 1);

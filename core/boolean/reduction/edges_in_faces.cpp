@@ -121,12 +121,12 @@ SeenArc EdgesInFaces::arc_of_face(FaceId f, std::uint32_t corner) const {
     const PointId p = brep.point_of(brep.from(h));
     if (p.value() != corner) others.push_back(w_.geometry.position(p));
   });
-  return SeenArc::from_corner(w_.geometry.position(PointId(corner)), others);
+  return SeenArc::from_point(w_.geometry.position(PointId(corner)), others);
 }
 
 SeenArc EdgesInFaces::arc_of_edge(std::uint32_t record, std::uint32_t corner) const {
   const int far = end(record, 0) == corner ? 1 : 0;
-  return SeenArc::from_corner(place(record, 1 - far), std::span(&place(record, far), 1));
+  return SeenArc::from_point(place(record, 1 - far), std::span(&place(record, far), 1));
 }
 
 void EdgesInFaces::add_near(const Beside& beside, std::span<const Vec3> polygon,
