@@ -54,8 +54,15 @@ SpacePartition::SpacePartition(std::vector<Rod> rods, std::vector<std::uint32_t>
   double reach = 0;
   for (const Rod& rod : rods_) reach = std::max({reach, max_norm(rod.from), max_norm(rod.to)});
   is_certain_ = reach < 0x1p500;
+  error_ = 0x1p-44 * reach + 0x1p-500;
   for (Rod& rod : rods_)
-    for (double& radius : rod.radius) radius += 0x1p-44 * reach + 0x1p-500;
+    for (double& radius : rod.radius) radius += error_;
+}
+
+SpacePartition::SpacePartition(std::vector<Rod> rods, std::vector<std::uint32_t> labels,
+                               std::vector<Triangle> triangles)
+    : SpacePartition(std::move(rods), std::move(labels)) {
+  triangles_ = std::move(triangles);
 }
 
 // Pieces come by their labels.
@@ -75,7 +82,8 @@ class SpacePartition::PairCount {
 };
 
 // Tries planes on a sample of the pieces. Where many things have ends in a few points, planes
-// through three ends often cut none of them; where they lie in layers, those along two of them.
+// through three ends often cut none of them; where they lie in layers, those along two of them;
+// where triangles hardly touch along one line, those of the triangles.
 class SpacePartition::PlaneChoice {
  public:
   PlaneChoice(const SpacePartition& space, const Cell& cell) : space_(space), random_(cell.seed) {
@@ -103,6 +111,7 @@ class SpacePartition::PlaneChoice {
       const Vec3 along = rod.to - rod.from, across = cross(along, any_end() - rod.from);
       const Vec3 &p = any_end(), &q = any_end(), &r = any_end();  // in this order
       try_through_three(p, q, r);
+      if (const Triangle* const t = any_triangle()) try_through_three((*t)[0], (*t)[1], (*t)[2]);
       try_through_middle(across);
       try_through_middle(cross(along, other.to - other.from));
       try_through_middle(cross(along, across));
@@ -121,6 +130,10 @@ class SpacePartition::PlaneChoice {
   }
 
   const Rod& any_rod() { return space_.rods_[sample_[random_() % sample_.size()].thing]; }
+  const Triangle* any_triangle() {
+    if (space_.triangles_.empty()) return nullptr;
+    return &space_.triangles_[sample_[random_() % sample_.size()].thing];
+  }
   const Vec3& any_end() {
     const Rod& rod = any_rod();
     return random_() % 2 == 0 ? rod.from : rod.to;
@@ -159,8 +172,10 @@ class SpacePartition::PlaneChoice {
                    q = dot(plane.normal, space_.at(piece, piece.to));
       const Rod& rod = space_.rods_[piece.thing];
       const double at_p = rod.radius_at(piece.from), at_q = rod.radius_at(piece.to);
-      if (std::min(p - at_p, q - at_q) <= plane.at) below.add(space_.labels_[piece.thing]);
-      if (std::max(p + at_p, q + at_q) >= plane.at) above.add(space_.labels_[piece.thing]);
+      if (std::min(p - at_p, q - at_q) <= plane.at && !space_.is_above(plane, piece.thing))
+        below.add(space_.labels_[piece.thing]);
+      if (std::max(p + at_p, q + at_q) >= plane.at && !space_.is_above(plane.turned(), piece.thing))
+        above.add(space_.labels_[piece.thing]);
     }
     const std::size_t pairs = below.pairs() + above.pairs();
     if (pairs >= fewest_ || std::max(below.count(), above.count()) == sample_.size()) return;
@@ -264,11 +279,18 @@ std::optional<SpacePartition::Piece> SpacePartition::below(const Plane& plane,
                rise = dot(plane.normal, rod.to) - rod.radius[1] - start;
   const double from = start + piece.from * rise, to = start + piece.to * rise;
   const double most = plane.at;
-  if (from > most && to > most) return {};
+  if ((from > most && to > most) || is_above(plane, piece.thing)) return {};
   Piece part = piece;
   if (to > most) part.to = std::min(part.to, (most - start) / rise);
   if (from > most) part.from = std::max(part.from, (most - start) / rise);
   return part;
+}
+
+bool SpacePartition::is_above(const Plane& plane, std::uint32_t thing) const {
+  if (triangles_.empty()) return false;
+  const double most = plane.at + error_;
+  return std::ranges::all_of(triangles_[thing],
+                             [&](const Vec3& p) { return dot(plane.normal, p) > most; });
 }
 
 BoxTree SpacePartition::tree_of(const Cell& cell) const {

@@ -36,6 +36,10 @@ class SpacePartition {
   /// rod. Two of one label (per thing) are no pair.
   SpacePartition(std::vector<Rod> rods, std::vector<std::uint32_t> labels,
                  Planes planes = Planes::any);
+  /// Where things are triangles, their corners tell more of those that are as wide as long.
+  using Triangle = std::array<Vec3, 3>;
+  SpacePartition(std::vector<Rod> rods, std::vector<std::uint32_t> labels,
+                 std::vector<Triangle> triangles);
 
   /// Part of a thing, from and to where on its rod.
   struct Piece {
@@ -86,10 +90,14 @@ class SpacePartition {
   BoxTree tree_of(const Cell& cell) const;
   Box box_of(const Piece& piece) const;
   Vec3 at(const Piece& piece, double share) const;
+  /// Is all of a thing certainly above a plane?
+  bool is_above(const Plane& plane, std::uint32_t thing) const;
 
   std::vector<Rod> rods_;
   std::vector<std::uint32_t> labels_;
   Planes planes_;
+  std::vector<Triangle> triangles_;  // or none
+  double error_ = 0;                 // of a place
   bool is_certain_ = true;
 };
 

@@ -95,7 +95,7 @@ class Traversal {
       slanted_ = SlantedNodes(surface_, geometry_, tree_, SlantedNodes::Which::all);
       most_tests_ *= 4;
     } else {
-      space_.emplace(rods(), labels_of_untested());
+      space_.emplace(rods(), labels_of_untested(), triangles());
       find_oriented_boxes();
     }
     is_crowded_ = false;
@@ -304,6 +304,12 @@ class Traversal {
     rods.reserve(tree_.order().size());
     for (const std::uint32_t t : tree_.order()) rods.emplace_back(corners(t));
     return rods;
+  }
+  std::vector<SpacePartition::Triangle> triangles() const {
+    std::vector<SpacePartition::Triangle> triangles;
+    triangles.reserve(tree_.order().size());
+    for (const std::uint32_t t : tree_.order()) triangles.push_back(corners(t));
+    return triangles;
   }
   // Slivers that all have an end near one line are side by side in cells that no plane divides.
   void find_oriented_boxes() {

@@ -256,6 +256,34 @@ PolygonMesh nested_balls(std::size_t n) {
   return mesh;
 }
 
+// Walls around a slanted line, each a little away from it in its own direction.
+PolygonMesh walls_beside_a_line(std::size_t n) {
+  PolygonMesh mesh;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double step = 2 * std::numbers::pi / static_cast<double>(n),
+                 low = step * static_cast<double>(i), high = low + 0.5 * step;
+    std::array<std::uint32_t, 6> p;
+    for (std::uint32_t k = 0; k < 6; ++k) {
+      const double t = k < 3 ? 1 : 2, r = k % 3 == 0 ? 1e-5 : 1,
+                   by = k % 3 == 0   ? 0.5 * (low + high)
+                        : k % 3 == 1 ? low
+                                     : high;
+      p[k] = add_vertex(mesh, {0.3 * t + r * std::cos(by), 0.5 * t + r * std::sin(by), t});
+    }
+    add_face(mesh, {p[0], p[2], p[1]});
+    add_face(mesh, {p[3], p[4], p[5]});
+    for (const auto& [j, k] : {std::pair{0, 1}, {1, 2}, {2, 0}}) {
+      add_face(mesh, {p[j], p[k], p[k + 3]});
+      add_face(mesh, {p[j], p[k + 3], p[j + 3]});
+    }
+  }
+  return mesh;
+}
+
+TEST(ImportGrowth, WallsBesideALine) {
+  EXPECT_LT(growth_of_import(walls_beside_a_line, 500), n_log_n);
+}
+
 TEST(ImportGrowth, PlateWithHoles) {
   EXPECT_LT(growth([](std::size_t n) { return [n] { plate_with_holes(n); }; }, 400), n_log_n);
 }
