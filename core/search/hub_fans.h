@@ -33,8 +33,8 @@ class HubFans {
   template <class ForEachCorner>
   void join_along_crowded_lines(std::span<const std::uint32_t> some, const Kernel& kernel,
                                 const ForEachCorner& for_each_corner);
-  /// Adds fans around crossings of edges, of some polygons that are in no other fan: those of the
-  /// crossings are numbered in this order.
+  /// Adds fans around crossings of edges, of some polygons that are in no larger fan, and along no
+  /// line: those of the crossings are numbered in this order.
   void join_around_crossings(std::span<const std::uint32_t> some, const CrossingFans& crossings);
 
   std::size_t count() const { return fans_.size(); }
@@ -198,13 +198,17 @@ inline void HubFans::join_around_crossings(std::span<const std::uint32_t> some,
     Fan& fan = fans_.emplace_back();
     const std::span<const std::uint32_t> polygons = crossings.polygons(c);
     for (std::size_t i = 0; i < polygons.size(); ++i) {
-      const std::uint32_t f = some[polygons[i]];
-      if (of_polygon_[f] != Hubs::none) continue;
+      const std::uint32_t f = some[polygons[i]], before = of_polygon_[f];
+      if (before != Hubs::none &&
+          (is_along_line(before) || fans_[before].polygons.size() >= polygons.size()))
+        continue;
       of_polygon_[f] = number;
       fan.polygons.push_back(f);
       fan.arcs.push_back(crossings.arcs(c)[i]);
     }
   }
+  for (std::uint32_t fan = 0; fan + crossings.count() < fans_.size(); ++fan)
+    std::erase_if(fans_[fan].polygons, [&](std::uint32_t f) { return of_polygon_[f] != fan; });
 }
 
 inline std::vector<PointId> HubFans::all_points() const {

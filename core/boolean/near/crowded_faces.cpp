@@ -1,5 +1,7 @@
 #include "boolean/near/crowded_faces.h"
 
+#include <algorithm>
+
 #include "boolean/collect.h"
 #include "numbers/threshold.h"
 #include "search/arc_partition.h"
@@ -21,6 +23,7 @@ class CrowdedFaces {
       for (const std::uint32_t slot : slots[s])
         for (std::uint32_t f = 0; f < data_[s]->slot(slot).faces; ++f)
           faces_.push_back({s, slot, FaceId(f)});
+    find_common_hubs();
   }
 
   /// From now on, what is around points through which very many edges run is no pair, if it meets
@@ -79,32 +82,42 @@ class CrowdedFaces {
           [](std::span<const Vec3> corners) { return SpacePartition::Rod(corners); }));
     return rods;
   }
+  // Per face, the fan of a hub that both solids have.
+  void find_common_hubs() {
+    fan_.assign(faces_.size(), Hubs::none);
+    if (hubs_.empty()) return;
+    PerOperand<std::vector<std::uint32_t>> fans;
+    for (std::uint32_t i = 0; i < faces_.size(); ++i) {
+      const Face& f = faces_[i];
+      const std::vector<std::uint32_t>& of_face = block(f).tree().hubs().of_face();
+      if (of_face.empty() || of_face[f.local.value()] == Hubs::none) continue;
+      fan_[i] = hubs_.fan(f.solid, f.slot, of_face[f.local.value()]);
+      fans[f.solid].push_back(fan_[i]);
+    }
+    for (std::vector<std::uint32_t>& of_solid : fans) std::ranges::sort(of_solid);
+    for (std::uint32_t i = 0; i < faces_.size(); ++i)
+      if (!std::ranges::binary_search(fans[other(faces_[i].solid)], fan_[i])) fan_[i] = Hubs::none;
+  }
+
   // What is in one fan is no pair; of others, those of one solid are none.
   std::vector<std::uint32_t> labels() const {
     constexpr std::uint32_t first_crossing = 0x80000000u;
     std::vector<std::uint32_t> labels;
     labels.reserve(faces_.size());
     for (std::uint32_t i = 0; i < faces_.size(); ++i) {
-      const Face& f = faces_[i];
-      const std::uint32_t hub = hubs_.empty() ? Hubs::none : hub_of(f), crossing = crossing_of(i);
-      if (hub != Hubs::none)
-        labels.push_back(2 + hubs_.fan(f.solid, f.slot, hub));
-      else if (crossing != CrossingFans::none)
+      if (const std::uint32_t crossing = crossing_of(i); crossing != CrossingFans::none)
         labels.push_back(first_crossing + crossing);
+      else if (fan_[i] != Hubs::none)
+        labels.push_back(2 + fan_[i]);
       else
-        labels.push_back(f.solid == Operand::a ? 0 : 1);
+        labels.push_back(faces_[i].solid == Operand::a ? 0 : 1);
     }
     return labels;
   }
   // Not of what is in the fan of a hub.
   std::uint32_t crossing_of(std::uint32_t face) const {
-    if (crossings_.count() == 0) return CrossingFans::none;
-    if (!hubs_.empty() && hub_of(faces_[face]) != Hubs::none) return CrossingFans::none;
-    return crossings_.of_polygon()[face];
-  }
-  std::uint32_t hub_of(const Face& f) const {
-    const std::vector<std::uint32_t>& of_face = block(f).tree().hubs().of_face();
-    return of_face.empty() ? Hubs::none : of_face[f.local.value()];
+    return crossings_.count() == 0 || fan_[face] != Hubs::none ? CrossingFans::none
+                                                               : crossings_.of_polygon()[face];
   }
 
   // With the planes beyond the edges within a block.
@@ -151,6 +164,7 @@ class CrowdedFaces {
   PerOperand<const SolidData*> data_;
   const CommonHubs& hubs_;
   std::vector<Face> faces_;
+  std::vector<std::uint32_t> fan_;
   std::vector<Hull> hulls_;  // per face: some have very many corners
   CrossingFans crossings_;
 };
