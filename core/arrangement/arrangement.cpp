@@ -40,16 +40,18 @@ class ManySolids {
       if (!operands.empty()) by_operands[std::move(operands)].push_back(c);
     }
     std::vector<SolidCell> result;
-    std::vector<const std::vector<std::uint32_t>*> numbers;
+    CellsOfSolids solids{std::vector<std::uint32_t>(cells_.winding.size(), none),
+                         by_operands.size()};
     for (const auto& [operands, cells] : by_operands) {
+      for (const std::uint32_t c : cells)
+        solids.solid[c] = static_cast<std::uint32_t>(result.size());
       result.push_back({operands, Solid()});
-      numbers.push_back(&cells);
     }
+    const std::vector<SolidBoundary> boundaries = solids.boundaries(cells_);
     parallel::loop(0, result.size(), [&](std::size_t i) {
       steering_.check();
-      std::vector<std::uint8_t> in(cells_.winding.size(), 0);
-      for (const std::uint32_t c : *numbers[i]) in[c] = 1;
-      result[i].solid = Solid(solid_of(faces_, cells_, facets_, geometry_, kernel_, in,
+      result[i].solid = Solid(solid_of(faces_, cells_, facets_, geometry_, kernel_, solids,
+                                       static_cast<std::uint32_t>(i), boundaries[i],
                                        Merging::shared, {steering_.cancel, {}}));
     });
     steering_.step(1.0);

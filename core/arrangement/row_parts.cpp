@@ -10,11 +10,11 @@ namespace {
 
 class PartFinder {
  public:
-  PartFinder(const Cells& cells, const std::vector<std::uint8_t>& in_solid)
-      : cells_(cells), in_solid_(in_solid) {}
+  PartFinder(const Cells& cells, const CellsOfSolids& solids, std::uint32_t solid)
+      : cells_(cells), solids_(solids), solid_(solid) {}
 
-  std::vector<RowPart> run() {
-    for (const EdgeRow& row : cells_.rows) add_wedges(row);
+  std::vector<RowPart> run(const std::vector<std::uint32_t>& rows) {
+    for (const std::uint32_t row : rows) add_wedges(cells_.rows[row]);
     std::sort(parts_.begin(), parts_.end(), [](const RowPart& a, const RowPart& b) {
       return std::tie(a.corner, a.from) < std::tie(b.corner, b.from);
     });
@@ -24,11 +24,11 @@ class PartFinder {
  private:
   bool is_in_after(const EdgeRow::Side& s) const {
     const std::uint32_t f = cells_.face_of[s.corner];
-    return in_solid_[s.forward ? cells_.before[f] : cells_.behind[f]] != 0;
+    return solids_.solid[s.forward ? cells_.before[f] : cells_.behind[f]] == solid_;
   }
   bool is_in_before(const EdgeRow::Side& s) const {
     const std::uint32_t f = cells_.face_of[s.corner];
-    return in_solid_[s.forward ? cells_.behind[f] : cells_.before[f]] != 0;
+    return solids_.solid[s.forward ? cells_.behind[f] : cells_.before[f]] == solid_;
   }
 
   void add_wedges(const EdgeRow& row) {
@@ -47,15 +47,17 @@ class PartFinder {
   }
 
   const Cells& cells_;
-  const std::vector<std::uint8_t>& in_solid_;
+  const CellsOfSolids& solids_;
+  std::uint32_t solid_;
   std::vector<RowPart> parts_;
   std::uint32_t wedges_ = 0;
 };
 
 }  // namespace
 
-std::vector<RowPart> row_parts(const Cells& cells, const std::vector<std::uint8_t>& in_solid) {
-  return PartFinder(cells, in_solid).run();
+std::vector<RowPart> row_parts(const Cells& cells, const CellsOfSolids& solids, std::uint32_t solid,
+                               const std::vector<std::uint32_t>& rows) {
+  return PartFinder(cells, solids, solid).run(rows);
 }
 
 }  // namespace sectile::arrangement

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "arrangement/cells.h"
+#include "arrangement/solid_boundaries.h"
 
 namespace sectile::arrangement {
 
@@ -17,7 +17,8 @@ struct RowPart {
   bool forward;            ///< does the half-edge run from the first place to the second one?
 };
 
-/// Those of all sub-faces that bound the cells which are marked: by corners, along the lines.
-std::vector<RowPart> row_parts(const Cells& cells, const std::vector<std::uint8_t>& in_solid);
+/// Those of all sub-faces that bound one of the solids, at its rows: by corners, along the lines.
+std::vector<RowPart> row_parts(const Cells& cells, const CellsOfSolids& solids, std::uint32_t solid,
+                               const std::vector<std::uint32_t>& rows);
 
 }  // namespace sectile::arrangement

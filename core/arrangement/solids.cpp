@@ -6,6 +6,7 @@
 #include "boolean/cleanup/cleanup.h"
 #include "import/brep_builder.h"
 #include "parallel/parallel.h"
+#include "search/id_map.h"
 #include "sectile/errors.h"
 #include "storage/geometry_loader.h"
 
@@ -15,20 +16,22 @@ namespace {
 class Builder {
  public:
   Builder(const SubFaces& faces, const Cells& cells, const Facets& facets, const Geometry& geometry,
-          const Kernel& kernel, const std::vector<std::uint8_t>& in_solid, Merging merging,
-          const Steering& steering)
+          const Kernel& kernel, const CellsOfSolids& solids, std::uint32_t solid,
+          const SolidBoundary& boundary, Merging merging, const Steering& steering)
       : faces_(faces),
         cells_(cells),
         facets_(facets),
         kernel_(kernel),
-        in_solid_(in_solid),
+        solids_(solids),
+        solid_(solid),
+        boundary_(boundary),
         merging_(merging),
         steering_(steering),
         data_(std::make_shared<SolidData>()),
-        copy_(geometry, data_->geometry(), geometry.positions.size()),
-        parts_(row_parts(cells, in_solid)),
+        copy_(geometry, data_->geometry(), corner_count()),
+        parts_(row_parts(cells, solids, solid, boundary.rows)),
         made_part_(parts_.size() / 2, none),
-        made_(faces.polygons.corners.size(), none) {}
+        made_(corner_count(), faces.polygons.corners.size()) {}
 
   std::shared_ptr<SolidData> run() {
     steering_.step(0.8);
@@ -54,15 +57,19 @@ class Builder {
   }
 
  private:
-  bool in(std::uint32_t cell) const { return in_solid_[cell] != 0; }
-  bool is_kept(std::uint32_t f) const { return in(cells_.before[f]) != in(cells_.behind[f]); }
+  std::size_t corner_count() const {
+    std::size_t count = 0;
+    for (const std::uint32_t f : boundary_.faces) count += faces_.polygons.face_corners(f).size();
+    return count;
+  }
+  bool in(std::uint32_t cell) const { return solids_.solid[cell] == solid_; }
   /// Material lies where the normal points to.
   bool is_turned(std::uint32_t f) const { return in(cells_.before[f]); }
 
   void add_faces() {
-    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-      if (f % 4096 == 0) steering_.check();
-      if (!is_kept(f)) continue;
+    for (std::size_t i = 0; i < boundary_.faces.size(); ++i) {
+      if (i % 4096 == 0) steering_.check();
+      const std::uint32_t f = boundary_.faces[i];
       const bool turned = is_turned(f);
       const Polygons& from = faces_.polygons;
       for (std::uint32_t l = from.first_loop(f); l < from.face_end[f]; ++l) {
@@ -130,13 +137,13 @@ class Builder {
 
   void pair_half_edges() {
     mate_.assign(result_.corners.size(), none);
-    for (std::uint32_t c = 0; c < made_.size(); ++c)
-      if (made_[c] != none && cells_.mate[c] != none) {
-        if (made_[cells_.mate[c]] == none)
+    for (std::uint32_t made = 0; made < old_.size(); ++made)
+      if (const std::uint32_t mate = cells_.mate[old_[made]]; mate != none) {
+        mate_[made] = made_.known(mate);
+        if (mate_[made] == none)
           throw InternalError("one of two neighbouring parts is kept, the other is not");
-        mate_[made_[c]] = made_[cells_.mate[c]];
       }
-    for (const EdgeFan& fan : cells_.fans) pair_wedges(cells_.of(fan));
+    for (const std::uint32_t fan : boundary_.fans) pair_wedges(cells_.of(cells_.fans[fan]));
     for (const auto& [a, b] : wedges_) {
       mate_[a] = b;
       mate_[b] = a;
@@ -149,13 +156,13 @@ class Builder {
   void pair_wedges(std::span<const EdgeFan::Side> sides) {
     kept_.clear();
     for (const EdgeFan::Side& s : sides)
-      if (made_[s.corner] != none) kept_.push_back(s);
+      if (made_.known(s.corner) != none) kept_.push_back(s);
     for (std::size_t i = 0; i < kept_.size(); ++i) {
       if (!in(cell_after(kept_[i]))) continue;
       const EdgeFan::Side& next = kept_[i + 1 < kept_.size() ? i + 1 : 0];
       if (!in(cell_before(next)))
         throw InternalError("the material around an edge does not alternate");
-      const std::uint32_t a = made_[kept_[i].corner], b = made_[next.corner];
+      const std::uint32_t a = made_.known(kept_[i].corner), b = made_.known(next.corner);
       mate_[a] = b;
       mate_[b] = a;
     }
@@ -219,7 +226,9 @@ class Builder {
   const Cells& cells_;
   const Facets& facets_;
   const Kernel& kernel_;
-  const std::vector<std::uint8_t>& in_solid_;
+  const CellsOfSolids& solids_;
+  std::uint32_t solid_;
+  const SolidBoundary& boundary_;
   Merging merging_;
   const Steering& steering_;
   std::shared_ptr<SolidData> data_;
@@ -231,7 +240,7 @@ class Builder {
   const std::vector<RowPart> parts_;
   std::vector<std::uint32_t> made_part_;  // per wedge of a row: the corner that was made first
   std::vector<std::pair<std::uint32_t, std::uint32_t>> wedges_;  // of rows: corners of the result
-  std::vector<std::uint32_t> made_;  // per corner of the sub-faces: the result's, the first one
+  IdMap made_;  // corners of the sub-faces to those of the result, the first ones
   std::vector<std::uint32_t> old_;   // per corner of the result: the sub-faces'
   std::vector<std::uint32_t> mate_;  // per corner of the result
   std::vector<EdgeFan::Side> kept_;
@@ -241,9 +250,19 @@ class Builder {
 
 std::shared_ptr<SolidData> solid_of(const SubFaces& faces, const Cells& cells, const Facets& facets,
                                     const Geometry& geometry, const Kernel& kernel,
-                                    const std::vector<std::uint8_t>& in_solid, Merging merging,
+                                    const CellsOfSolids& solids, std::uint32_t solid,
+                                    const SolidBoundary& boundary, Merging merging,
                                     const Steering& steering) {
-  return Builder(faces, cells, facets, geometry, kernel, in_solid, merging, steering).run();
+  return Builder(faces, cells, facets, geometry, kernel, solids, solid, boundary, merging, steering)
+      .run();
+}
+
+std::shared_ptr<SolidData> solid_of(const SubFaces& faces, const Cells& cells, const Facets& facets,
+                                    const Geometry& geometry, const Kernel& kernel,
+                                    const CellsOfSolids& marked, Merging merging,
+                                    const Steering& steering) {
+  return solid_of(faces, cells, facets, geometry, kernel, marked, 0, marked.boundaries(cells)[0],
+                  merging, steering);
 }
 
 }  // namespace sectile::arrangement

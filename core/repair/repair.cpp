@@ -298,10 +298,11 @@ class Repairer {
                                                                 : arrangement::InsideOut::keep,
                                 *kernel_, steering_);
     steering_.step(0.8);
-    std::vector<std::uint8_t> material(cells.winding.size());
-    for (std::size_t c = 0; c < material.size(); ++c) {
-      const std::int32_t w = cells.winding[c].empty() ? 0 : cells.winding[c][0].second;
-      material[c] = options_.rule == Rule::positive ? w >= 1 : w != 0;
+    arrangement::CellsOfSolids material{{}, 1};
+    for (const arrangement::Winding& winding : cells.winding) {
+      const std::int32_t w = winding.empty() ? 0 : winding[0].second;
+      const bool is_material = options_.rule == Rule::positive ? w >= 1 : w != 0;
+      material.solid.push_back(is_material ? 0 : arrangement::none);
     }
     note_arrangement(all, faces, cells, material);
     auto data = arrangement::solid_of(faces, cells, all, geometry_, *kernel_, material,
@@ -325,7 +326,7 @@ class Repairer {
   }
 
   void note_arrangement(const Facets& all, const SubFaces& faces, const Cells& cells,
-                        const std::vector<std::uint8_t>& material) {
+                        const arrangement::CellsOfSolids& material) {
     note_face(Kind::divided_faces, faces.divided_faces, all, faces.first_divided);
     note_face(Kind::overlaps, faces.overlaps, all, faces.first_overlap);
     if (!cells.turned.empty())
@@ -333,7 +334,7 @@ class Repairer {
                 *std::min_element(cells.turned.begin(), cells.turned.end()));
     std::vector<std::uint8_t> used(all.face_count(), 0);
     for (std::uint32_t f = 0; f < faces.size(); ++f)
-      if (material[cells.before[f]] != material[cells.behind[f]])
+      if (material.solid[cells.before[f]] != material.solid[cells.behind[f]])
         for (const std::uint32_t g : faces.cover_of(f)) used[g] = 1;
     const auto first = std::find(used.begin(), used.end(), 0);
     if (first != used.end())

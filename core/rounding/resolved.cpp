@@ -71,9 +71,9 @@ std::shared_ptr<const SolidData> resolved(const TriangleSoup& soup,
       facets, tree, Counting::oriented, arrangement::Crowds::divided, geometry, kernel, steering);
   const Cells cells = arrangement::find_cells(faces, facets, tree, Counting::oriented,
                                               arrangement::InsideOut::turn, kernel, steering);
-  std::vector<std::uint8_t> material(cells.winding.size());
-  for (std::size_t c = 0; c < material.size(); ++c)
-    material[c] = !cells.winding[c].empty() && cells.winding[c][0].second >= 1;
+  arrangement::CellsOfSolids material{{}, 1};
+  for (const arrangement::Winding& winding : cells.winding)
+    material.solid.push_back(!winding.empty() && winding[0].second >= 1 ? 0 : arrangement::none);
   return arrangement::solid_of(faces, cells, facets, geometry, kernel, material,
                                arrangement::Merging::all, steering);
 }

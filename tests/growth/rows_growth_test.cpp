@@ -46,6 +46,17 @@ TEST_P(RowGrowth, CellsOfRowsBetweenEachOther) {
   EXPECT_LT(growth(of_two, 100), n_log_n);
 }
 
+// Each plate is a solid, and crosses the next one.
+TEST_P(RowGrowth, CellsOfAsManySolids) {
+  const auto of_many = [](std::size_t n) {
+    std::vector<Solid> solids;
+    for (std::size_t i = 0; i < n; ++i)
+      solids.push_back(Solid::from_mesh(plates(1, GetParam(), 0.3 * static_cast<double>(i))));
+    return [=] { cells(solids); };
+  };
+  EXPECT_LT(growth(of_many, 400), n_log_n);
+}
+
 // Of what crosses itself all cells are found.
 TEST_P(RowGrowth, RepairOfARowBesideBlocksThatCross) {
   for (const Rule rule : {Rule::positive, Rule::odd}) {
