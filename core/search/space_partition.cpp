@@ -35,6 +35,14 @@ double distance_from_segment(const Vec3& p, const Vec3& from, const Vec3& to) {
   return std::sqrt(dot(off, off));
 }
 
+double reach(const SpacePartition::Rod& rod) {
+  return std::max(max_norm(rod.from), max_norm(rod.to));
+}
+
+double error(double reach) {
+  return 0x1p-44 * reach + 0x1p-500;
+}
+
 }  // namespace
 
 SpacePartition::Rod::Rod(std::span<const Vec3> points)
@@ -45,18 +53,16 @@ SpacePartition::Rod::Rod(std::span<const Vec3> points)
 }
 
 // A value along a normal is a sum of three products, and so is the error of a rod; a place that is
-// cut out of a rod has a few more roundings. All are less than 64 units of the greatest coordinate,
-// and planes go through the things, so that they are no farther away. Lengths whose squares
-// underflow are less than 2^-500; with numbers near the end of doubles nothing is certain.
+// cut out of a rod has a few more roundings. All are less than 64 units of the greatest coordinate
+// of the rod, as what a plane cuts out is within it. Lengths whose squares underflow are less than
+// 2^-500; with numbers near the end of doubles nothing is certain.
 SpacePartition::SpacePartition(std::vector<Rod> rods, std::vector<std::uint32_t> labels,
                                Planes planes)
     : rods_(std::move(rods)), labels_(std::move(labels)), planes_(planes) {
-  double reach = 0;
-  for (const Rod& rod : rods_) reach = std::max({reach, max_norm(rod.from), max_norm(rod.to)});
-  is_certain_ = reach < 0x1p500;
-  error_ = 0x1p-44 * reach + 0x1p-500;
-  for (Rod& rod : rods_)
-    for (double& radius : rod.radius) radius += error_;
+  for (Rod& rod : rods_) {
+    is_certain_ &= reach(rod) < 0x1p500;
+    for (double& radius : rod.radius) radius += error(reach(rod));
+  }
 }
 
 SpacePartition::SpacePartition(std::vector<Rod> rods, std::vector<std::uint32_t> labels,
@@ -288,9 +294,9 @@ std::optional<SpacePartition::Piece> SpacePartition::below(const Plane& plane,
 
 bool SpacePartition::is_above(const Plane& plane, std::uint32_t thing) const {
   if (triangles_.empty()) return false;
-  const double most = plane.at + error_;
-  return std::ranges::all_of(triangles_[thing],
-                             [&](const Vec3& p) { return dot(plane.normal, p) > most; });
+  return std::ranges::all_of(triangles_[thing], [&](const Vec3& p) {
+    return dot(plane.normal, p) > plane.at + error(max_norm(p));
+  });
 }
 
 BoxTree SpacePartition::tree_of(const Cell& cell) const {

@@ -97,7 +97,6 @@ class SpacePartition {
   std::vector<std::uint32_t> labels_;
   Planes planes_;
   std::vector<Triangle> triangles_;  // or none
-  double error_ = 0;                 // of a place
   bool is_certain_ = true;
 };
 
