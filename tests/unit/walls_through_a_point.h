@@ -9,12 +9,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases.h"
 #include "sectile/mesh.h"
 
 namespace sectile::test {
 
 struct WallsThroughAPoint {
-  int count = 72;
+  int count = cases(72);
   double turn = 0;         ///< of all, by so much of the step from one to the next
   double thickness = 0.3;  ///< as part of the room
   double depth = 1;        ///< from the edge on

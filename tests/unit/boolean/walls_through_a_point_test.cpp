@@ -5,6 +5,7 @@
 
 #include "append_mesh.h"
 #include "boolean/loading/load.h"
+#include "cases.h"
 #include "sectile/arrangement.h"
 #include "sectile/sectile.h"
 #include "unit/for_an_observer.h"
@@ -17,7 +18,7 @@ using test::expect_laws_of_sets;
 using test::expect_the_same_for_an_observer;
 using test::WallsThroughAPoint;
 
-constexpr int many = 72;  // fewer are tested one by one
+constexpr int many = cases(72);  // fewer are tested one by one, where crowds are not small
 
 Solid solid(const WallsThroughAPoint& walls) {
   return Solid::from_mesh(walls.mesh());

@@ -13,7 +13,7 @@
 namespace sectile {
 namespace {
 
-constexpr std::size_t layers = 60;
+constexpr std::size_t layers = cases(60);
 
 double radius_of(std::size_t layer) {
   return 1 + static_cast<double>(layer) / layers;
