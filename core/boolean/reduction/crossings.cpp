@@ -5,6 +5,7 @@
 #include "boolean/collect.h"
 #include "boolean/line.h"
 #include "boolean/reduction/contact_table.h"
+#include "boolean/reduction/edges_by_faces.h"
 #include "geometry/probe.h"
 #include "numbers/threshold.h"
 #include "search/edge_fans.h"
@@ -22,12 +23,7 @@ struct Crossing {
 class CrossingEdges {
  public:
   CrossingEdges(const Workspace& w, const Contacts& found, Operand s)
-      : w_(w), kernel_(w.tests()), found_(found), s_(s) {
-    for (std::uint32_t i = 0; i < found.segments.size(); ++i)
-      if (found.segments[i].on[s].is_edge() && found.segments[i].on[other(s)].is_face())
-        order_.push_back(i);
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::uint32_t i, std::uint32_t j) { return face(i) < face(j); });
+      : w_(w), kernel_(w.tests()), found_(found), s_(s), order_(edges_by_faces(found, s)) {
     for (std::size_t from = 0, to; from < order_.size(); from = to) {
       for (to = from + 1; to < order_.size() && face(order_[to]) == face(order_[from]);) ++to;
       if (to - from > 1) groups_.push_back(std::span(order_).subspan(from, to - from));

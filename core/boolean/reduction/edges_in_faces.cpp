@@ -2,16 +2,13 @@
 
 #include <algorithm>
 
+#include "boolean/reduction/edges_by_faces.h"
+
 namespace sectile {
 
 EdgesInFaces::EdgesInFaces(const Workspace& w, const Contacts& found,
                            std::span<const PairOfFaces> flush, Operand s)
-    : w_(w), found_(found), s_(s) {
-  for (std::uint32_t i = 0; i < found.segments.size(); ++i)
-    if (found.segments[i].on[s].is_edge() && found.segments[i].on[other(s)].is_face())
-      order_.push_back(i);
-  std::stable_sort(order_.begin(), order_.end(),
-                   [&](std::uint32_t i, std::uint32_t j) { return face(i) < face(j); });
+    : w_(w), found_(found), s_(s), order_(edges_by_faces(found, s)) {
   for (std::size_t from = 0, to; from < order_.size(); from = to) {
     for (to = from; to < order_.size() && face(order_[to]) == face(order_[from]);) ++to;
     make_group(std::span(order_).subspan(from, to - from));
