@@ -4,6 +4,7 @@
 
 #include "arrangement/facet_tree.h"
 #include "boolean/collect.h"
+#include "sectile/errors.h"
 
 namespace sectile::arrangement {
 namespace {
@@ -42,12 +43,19 @@ std::vector<std::uint32_t> hollow_facets(const Facets& facets, const Geometry& g
 FacePieces facet_pieces(const Facets& facets, std::span<const std::uint32_t> hollow,
                         const Kernel& kernel) {
   const Polygons& polygons = facets.polygons;
+  // The loops of a face of a soup may cross.
+  const auto add_in_triangles = [&](std::uint32_t f, FacePieces& to) {
+    try {
+      to.add_triangles(f, kernel, facets.plane[f], polygons.face_corners(f),
+                       loop_ends_of(polygons, f));
+      return true;
+    } catch (const InternalError&) {
+      return false;
+    }
+  };
   const auto add_face = [&](std::size_t face, FacePieces& to) {
     const auto f = static_cast<std::uint32_t>(face);
-    if (std::ranges::binary_search(hollow, f) &&
-        to.add_triangles(f, kernel, facets.plane[f], polygons.face_corners(f),
-                         loop_ends_of(polygons, f)))
-      return;
+    if (std::ranges::binary_search(hollow, f) && add_in_triangles(f, to)) return;
     std::vector<Vec3> outer;
     for_each_outer_corner(facets, f,
                           [&](PointId p) { outer.push_back(kernel.geometry().position(p)); });

@@ -8,7 +8,6 @@
 #include "geometry/triangulation.h"
 #include "search/approximate.h"
 #include "search/bundle_order.h"
-#include "sectile/errors.h"
 
 namespace sectile {
 
@@ -42,23 +41,18 @@ void FacePieces::add(std::uint32_t face, std::span<const Vec3> corners) {
   end_.push_back(static_cast<std::uint32_t>(corners_.size()));
 }
 
-bool FacePieces::add_triangles(std::uint32_t face, const Kernel& kernel, PlaneId plane,
+void FacePieces::add_triangles(std::uint32_t face, const Kernel& kernel, PlaneId plane,
                                std::span<const PointId> corners,
                                std::span<const std::uint32_t> loop_ends) {
   const int axis = kernel.main_axis(plane);
   const FacePredicates exact(kernel, axis, kernel.normal(plane, axis) == Sign::negative, corners);
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  try {
-    triangulate_in_shape(exact, loop_ends, triangles);
-  } catch (const InternalError&) {
-    return false;
-  }
+  triangulate_in_shape(exact, loop_ends, triangles);
   for (const auto& [i, j, k] : triangles) {
     const auto at = [&](std::uint32_t c) { return kernel.geometry().position(corners[c]); };
     const Vec3 places[] = {at(i), at(j), at(k)};
     add(face, places);
   }
-  return true;
 }
 
 void FacePieces::append(const FacePieces& others) {

@@ -31,8 +31,9 @@ class FacePieces {
 
   /// The corners of a plane polygon, known up to half an ulp in each coordinate.
   void add(std::uint32_t face, std::span<const Vec3> corners);
-  /// Triangles that cover a face exactly; false if its loops bound no region, and nothing is added.
-  bool add_triangles(std::uint32_t face, const Kernel& kernel, PlaneId plane,
+  /// Triangles that cover a face exactly. Throws InternalError if its loops bound no region, and
+  /// nothing is added.
+  void add_triangles(std::uint32_t face, const Kernel& kernel, PlaneId plane,
                      std::span<const PointId> corners, std::span<const std::uint32_t> loop_ends);
   void append(const FacePieces& others);
 

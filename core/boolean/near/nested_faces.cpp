@@ -108,8 +108,7 @@ void NestedFaces::add_pieces(const Place& place, FacePieces& to) const {
     corners.clear();
     const auto loop_ends =
         collect_corners(brep, FaceId(f), [&](PointId p) { corners.push_back(p); });
-    if (!to.add_triangles(place.first + f, *kernel, brep.plane[FaceId(f)], corners, loop_ends))
-      add_whole(FaceId(f));
+    to.add_triangles(place.first + f, *kernel, brep.plane[FaceId(f)], corners, loop_ends);
   }
 }
 

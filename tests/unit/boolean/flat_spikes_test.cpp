@@ -7,15 +7,16 @@
 #include <numbers>
 
 #include "append_mesh.h"
-#include "boolean/loading/load.h"
 #include "sectile/arrangement.h"
 #include "sectile/sectile.h"
 #include "unit/for_an_observer.h"
 #include "unit/laws_of_sets.h"
+#include "unit/pairs_near.h"
 
 namespace sectile {
 namespace {
 
+using test::count_pairs;
 using test::expect_laws_of_sets;
 using test::expect_the_same_for_an_observer;
 
@@ -38,15 +39,6 @@ Solid flat_spikes(double turn, double incline, int count = many) {
                  mesh);
   }
   return Solid::from_mesh(mesh);
-}
-
-std::size_t count_pairs(const Solid& a, const Solid& b) {
-  const BooleanOptions options;
-  Workspace w(options);
-  FacePairs pairs;
-  const Operation unite[] = {Operation::unite};
-  load(w, a.data()->in_one_block(), b.data()->in_one_block(), pairs, {unite, false, false});
-  return pairs.size();
 }
 
 // One vertex of each, and what is near it, meets all faces of the other one.

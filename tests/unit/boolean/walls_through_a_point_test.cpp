@@ -4,16 +4,17 @@
 #include <gtest/gtest.h>
 
 #include "append_mesh.h"
-#include "boolean/loading/load.h"
 #include "cases.h"
 #include "sectile/arrangement.h"
 #include "sectile/sectile.h"
 #include "unit/for_an_observer.h"
 #include "unit/laws_of_sets.h"
+#include "unit/pairs_near.h"
 
 namespace sectile {
 namespace {
 
+using test::count_pairs;
 using test::expect_laws_of_sets;
 using test::expect_the_same_for_an_observer;
 using test::WallsThroughAPoint;
@@ -28,15 +29,6 @@ WallsThroughAPoint turned(double turn) {
   WallsThroughAPoint walls;
   walls.turn = turn;
   return walls;
-}
-
-std::size_t count_pairs(const Solid& a, const Solid& b) {
-  const BooleanOptions options;
-  Workspace w(options);
-  FacePairs pairs;
-  const Operation unite[] = {Operation::unite};
-  load(w, a.data()->in_one_block(), b.data()->in_one_block(), pairs, {unite, false, false});
-  return pairs.size();
 }
 
 Solid in_both(const Solid& a, const Solid& b) {
