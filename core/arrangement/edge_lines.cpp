@@ -1,42 +1,18 @@
 #include "arrangement/edge_lines.h"
 
-#include <algorithm>
-#include <tuple>
-
+#include "arrangement/edge_uses.h"
 #include "parallel/parallel.h"
-#include "parallel/sort.h"
 #include "sectile/errors.h"
 
 namespace sectile::arrangement {
 namespace {
-
-struct Use {
-  PointId low, high;
-  std::uint32_t corner;
-  friend bool operator<(const Use& a, const Use& b) {
-    return std::tie(a.low, a.high, a.corner) < std::tie(b.low, b.high, b.corner);
-  }
-};
-
-std::vector<Use> uses_of(const Facets& facets, const std::vector<std::uint8_t>& wanted) {
-  std::vector<Use> uses;
-  for (std::size_t f = 0; f < facets.face_count(); ++f) {
-    if (!wanted[f]) continue;
-    for (std::uint32_t c = facets.begin(f); c < facets.end(f); ++c) {
-      const PointId p = facets.from(c), q = facets.to(c);
-      uses.push_back({std::min(p, q), std::max(p, q), c});
-    }
-  }
-  parallel::sort(uses.begin(), uses.end());
-  return uses;
-}
 
 class LineFinder {
  public:
   LineFinder(const Facets& facets, const Kernel& kernel) : facets_(facets), kernel_(kernel) {}
 
   /// The second plane stays invalid if none is known.
-  EdgeLine operator()(std::span<const Use> uses) const {
+  EdgeLine operator()(std::span<const EdgeUse> uses) const {
     EdgeLine line;
     line.a = plane(uses[0]);
     for (std::size_t i = 1; i < uses.size() && !line.b.valid(); ++i)
@@ -48,9 +24,9 @@ class LineFinder {
   }
 
  private:
-  PlaneId plane(const Use& use) const { return facets_.plane[facets_.face_of[use.corner]]; }
+  PlaneId plane(const EdgeUse& use) const { return facets_.plane[facets_.face_of[use.corner]]; }
 
-  void find_points(const Use& use, EdgeLine& line) const {
+  void find_points(const EdgeUse& use, EdgeLine& line) const {
     const Geometry& g = kernel_.geometry();
     if (!g.is_constructed(use.low) && !g.is_constructed(use.high)) {
       line.from = use.low;
@@ -78,11 +54,10 @@ class LineFinder {
 EdgeLines::EdgeLines(const Facets& facets, const std::vector<std::uint8_t>& wanted,
                      Geometry& geometry, Kernel& kernel)
     : line_of_(facets.polygons.corners.size(), none), across_(facets.polygons.corners.size()) {
-  const std::vector<Use> uses = uses_of(facets, wanted);
+  const std::vector<EdgeUse> uses = edge_uses(facets, wanted);
   std::vector<std::size_t> first;
   for (std::size_t i = 0; i < uses.size(); ++i)
-    if (i == 0 || uses[i].low != uses[i - 1].low || uses[i].high != uses[i - 1].high)
-      first.push_back(i);
+    if (i == 0 || !uses[i].has_same_ends(uses[i - 1])) first.push_back(i);
   lines_.resize(first.size());
   const LineFinder find(facets, kernel);
   const auto uses_on = [&](std::size_t i) {
@@ -92,7 +67,7 @@ EdgeLines::EdgeLines(const Facets& facets, const std::vector<std::uint8_t>& want
   parallel::loop(parallel::Range<std::size_t>(0, first.size(), 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       lines_[i] = find(uses_on(i));
-      for (const Use& use : uses_on(i)) line_of_[use.corner] = static_cast<std::uint32_t>(i);
+      for (const EdgeUse& use : uses_on(i)) line_of_[use.corner] = static_cast<std::uint32_t>(i);
     }
   });
   for (EdgeLine& line : lines_) {

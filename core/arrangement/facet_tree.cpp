@@ -9,7 +9,8 @@ namespace {
 
 enum class Lines { between_hubs, crowded };
 
-HubFans fans_of(const Facets& facets, const Kernel& kernel, Lines lines) {
+HubFans fans_of(const Facets& facets, const Kernel& kernel, Lines lines,
+                const CrossingFans& crossings) {
   std::vector<std::uint32_t> all(facets.face_count());
   std::iota(all.begin(), all.end(), 0u);
   const auto for_each_corner = [&](std::uint32_t f, const auto& visit) {
@@ -20,6 +21,7 @@ HubFans fans_of(const Facets& facets, const Kernel& kernel, Lines lines) {
     fans.join_along_spines(all, kernel, for_each_corner);
   else
     fans.join_along_crowded_lines(all, kernel, for_each_corner);
+  fans.join_around_crossings(all, crossings);
   return fans;
 }
 
@@ -39,10 +41,15 @@ std::vector<Box> boxes_of(const Facets& facets, const Geometry& geometry) {
 }  // namespace
 
 FacetTree::FacetTree(const Facets& facets, const Kernel& kernel)
-    : FacetTree(facets, kernel.geometry(), fans_of(facets, kernel, Lines::between_hubs)) {}
+    : FacetTree(facets, kernel, CrossingFans()) {}
 
-FacetTree FacetTree::along_crowded_lines(const Facets& facets, const Kernel& kernel) {
-  return {facets, kernel.geometry(), fans_of(facets, kernel, Lines::crowded)};
+FacetTree::FacetTree(const Facets& facets, const Kernel& kernel, const CrossingFans& crossings)
+    : FacetTree(facets, kernel.geometry(),
+                fans_of(facets, kernel, Lines::between_hubs, crossings)) {}
+
+FacetTree FacetTree::along_crowded_lines(const Facets& facets, const Kernel& kernel,
+                                         const CrossingFans& crossings) {
+  return {facets, kernel.geometry(), fans_of(facets, kernel, Lines::crowded, crossings)};
 }
 
 FacetTree::FacetTree(const Facets& facets, const Geometry& geometry, HubFans fans)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "arrangement/facets.h"
+#include "search/crossing_fans.h"
 #include "search/hub_fans.h"
 
 namespace sectile::arrangement {
@@ -15,8 +16,11 @@ void for_each_outer_corner(const Facets& facets, std::uint32_t face, const Visit
 class FacetTree : public BoxTree {
  public:
   FacetTree(const Facets& facets, const Kernel& kernel);
+  /// With fans around crossings of edges, too.
+  FacetTree(const Facets& facets, const Kernel& kernel, const CrossingFans& crossings);
   /// With a fan for each line along which very many edges run, whatever their ends are.
-  static FacetTree along_crowded_lines(const Facets& facets, const Kernel& kernel);
+  static FacetTree along_crowded_lines(const Facets& facets, const Kernel& kernel,
+                                       const CrossingFans& crossings);
 
   /// Of the faces: the groups of the tree.
   const HubFans& fans() const { return fans_; }

@@ -36,8 +36,7 @@ std::optional<OrientedTree> oriented_tree_of(const Facets& facets, const BoxTree
   return OrientedTree(tree, for_each_corner);
 }
 
-// There are more pairs than was expected.
-struct Crowded {};
+constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
 class PairFinder {
  public:
@@ -45,13 +44,16 @@ class PairFinder {
              const Steering& steering)
       : facets_(facets), kernel_(kernel), steering_(steering), test_(facets, convex, kernel) {}
 
-  /// Throws Crowded if there are more than so many.
-  std::vector<FacePair> run(const FacetTree& tree, Crowds crowds, std::size_t most) {
-    most_ = most;
+  std::vector<FacePair> run(const FacetTree& tree, Crowds crowds) {
+    return *run(tree, crowds, no_limit);
+  }
+  /// None if more than so many have to be tested.
+  std::optional<std::vector<FacePair>> run(const FacetTree& tree, Crowds crowds, std::size_t most) {
+    begin(most);
     const std::optional<OrientedTree> oriented =
         oriented_tree_of(facets_, tree, kernel_.geometry());
     const OrientedTree* boxes = oriented ? &*oriented : nullptr;
-    const OrientedApart apart(tree, boxes, tree, boxes);
+    const Apart apart(tree, boxes, too_many_);
     const auto parts = tree.self_parts(512);
     const auto by_boxes = collect<Found>(parts.size(), 1, [&](std::size_t i, Found& out) {
       steering_.check();
@@ -62,10 +64,10 @@ class PairFinder {
     return with_fans(by_boxes, tree.fans(), crowds);
   }
 
-  /// The same with pieces of faces. None if these are hardly less near each other than the faces.
+  /// With pieces of faces. None if these are hardly less near each other than the faces.
   std::optional<std::vector<FacePair>> run(const PieceSearch& pieces, const HubFans& fans) {
     constexpr std::size_t very_many = threshold(64, 8);
-    most_ = std::numeric_limits<std::size_t>::max();
+    begin(no_limit);
     const std::size_t most_looks = very_many * pieces.pieces();
     std::atomic<std::size_t> looks{0};
     using Faces = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
@@ -94,11 +96,31 @@ class PairFinder {
     std::size_t tests = 0;  // that were not counted yet
   };
 
-  std::vector<FacePair> with_fans(const std::vector<Found>& others, const HubFans& fans,
-                                  Crowds crowds) {
+  // Of what comes when there are too many, everything is.
+  class Apart : public OrientedApart {
+   public:
+    Apart(const FacetTree& tree, const OrientedTree* boxes, const std::atomic<bool>& too_many)
+        : OrientedApart(tree, boxes, tree, boxes), too_many_(too_many) {}
+    bool nodes(BoxTree::Node p, BoxTree::Node q) const {
+      return too_many_.load(std::memory_order_relaxed) || OrientedApart::nodes(p, q);
+    }
+
+   private:
+    const std::atomic<bool>& too_many_;
+  };
+
+  void begin(std::size_t most) {
+    most_ = most;
+    tests_ = 0;
+    too_many_ = false;
+  }
+
+  std::optional<std::vector<FacePair>> with_fans(const std::vector<Found>& others,
+                                                 const HubFans& fans, Crowds crowds) {
     const auto by_directions = collect<Found>(fans.count(), 1, [&](std::size_t i, Found& out) {
       add_pairs_of_fan(fans, i, crowds, out);
     });
+    if (too_many_) return {};
     std::vector<FacePair> pairs;
     for (const auto* all : {&others, &by_directions})
       for (const Found& found : *all) append(pairs, found.pairs);
@@ -111,6 +133,7 @@ class PairFinder {
   // edges are to be divided, which corners of some are within edges of others.
   void add_pairs_of_fan(const HubFans& fans, std::size_t fan, Crowds crowds, Found& out) {
     steering_.check();
+    if (too_many_) return;
     const auto for_each_corner = [&](std::uint32_t f, const auto& visit) {
       for_each_outer_corner(facets_, f, visit);
     };
@@ -124,12 +147,13 @@ class PairFinder {
   void add(std::uint32_t f, std::uint32_t g, Found& out) {
     constexpr std::size_t counted_at_a_time = 256;
     if (++out.tests == counted_at_a_time) count(out);
+    if (too_many_.load(std::memory_order_relaxed)) return;
     if (f > g) std::swap(f, g);
     if (const auto how = test_(f, g)) out.pairs.push_back({f, g, *how});
   }
 
   void count(Found& out) {
-    if ((tests_ += std::exchange(out.tests, 0)) > most_) throw Crowded();
+    if ((tests_ += std::exchange(out.tests, 0)) > most_) too_many_ = true;
   }
 
   const Facets& facets_;
@@ -137,6 +161,7 @@ class PairFinder {
   const Steering& steering_;
   const PairTest test_;
   std::atomic<std::size_t> tests_{0};
+  std::atomic<bool> too_many_{false};
   std::size_t most_ = 0;
 };
 
@@ -168,40 +193,32 @@ std::vector<std::uint8_t> find_convex(const Facets& facets, const Kernel& kernel
 Pairs find_pairs(const Facets& facets, const FacetTree& tree,
                  const std::vector<std::uint8_t>& convex, const Kernel& kernel, Crowds crowds,
                  const Steering& steering) {
-  constexpr std::size_t many_of_each = threshold(16, 0);
-  constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
-  const auto find = [&](const FacetTree& among, Crowds how, std::size_t most) {
-    return PairFinder(facets, convex, kernel, steering).run(among, how, most);
-  };
-  const std::size_t many_pairs = many_of_each * facets.face_count();
-  const std::vector<std::uint32_t> hollow = hollow_facets(facets, kernel.geometry());
-  // All pairs of few are no more than others.
-  const bool may_be_nested = hollow.size() > many_of_each;
-  if (crowds == Crowds::in_rows || may_be_nested) {
-    try {
-      return {find(tree, Crowds::divided, many_pairs), {}};
-    } catch (const Crowded&) {
-    }
-  }
+  constexpr std::size_t many_of_each = threshold(16, 0), few = threshold(1 << 12, 0);
+  const std::size_t many = std::max(many_of_each * facets.face_count(), few);
+  PairFinder finder(facets, convex, kernel, steering);
+  if (auto all = finder.run(tree, Crowds::divided, many)) return {*std::move(all), {}, {}};
+  const CrossingFans crossings = crossing_fans(facets, kernel);
+  std::optional<FacetTree> beside_crossings;
+  if (crossings.count() > 0) beside_crossings.emplace(facets, kernel, crossings);
+  const FacetTree& beside = beside_crossings ? *beside_crossings : tree;
+  Pairs found{{}, {}, crowded_points(crossings)};
   std::optional<std::vector<FacePair>> by_pieces;
-  if (may_be_nested)
+  if (const auto hollow = hollow_facets(facets, kernel.geometry()); hollow.size() > many_of_each)
     by_pieces =
-        PairFinder(facets, convex, kernel, steering)
-            .run(PieceSearch(facet_pieces(facets, hollow, kernel), tree.fans().of_polygon()),
-                 tree.fans());
-  if (by_pieces && by_pieces->size() <= many_pairs) return {*std::move(by_pieces), {}};
-  if (crowds == Crowds::in_rows) {
-    const FacetTree along_lines = FacetTree::along_crowded_lines(facets, kernel);
+        finder.run(PieceSearch(facet_pieces(facets, hollow, kernel), beside.fans().of_polygon()),
+                   beside.fans());
+  if (crowds == Crowds::in_rows && !(by_pieces && by_pieces->size() <= many)) {
+    const FacetTree along_lines = FacetTree::along_crowded_lines(facets, kernel, crossings);
     const SpineLines& lines = along_lines.fans().lines();
+    for (std::uint32_t line = 0; line < lines.count(); ++line)
+      found.crowded_lines.push_back(lines.extent(line));
     if (lines.count() > 0) {
-      Pairs found{find(along_lines, Crowds::in_rows, no_limit), {}};
-      for (std::uint32_t line = 0; line < lines.count(); ++line)
-        found.crowded_lines.push_back(lines.extent(line));
+      found.pairs = finder.run(along_lines, Crowds::in_rows);
       return found;
     }
   }
-  if (by_pieces) return {*std::move(by_pieces), {}};
-  return {find(tree, Crowds::divided, no_limit), {}};
+  found.pairs = by_pieces ? *std::move(by_pieces) : finder.run(beside, Crowds::divided);
+  return found;
 }
 
 }  // namespace sectile::arrangement

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "arrangement/crowded_points.h"
 #include "arrangement/facet_tree.h"
 #include "arrangement/steering.h"
 #include "search/edges_by_line.h"
@@ -35,10 +36,12 @@ struct Pairs {
   /// Lines along which very many edges run, between two points. Of faces that meet in corners and
   /// edges on such a line only, not all are in pairs.
   std::vector<PointPair> crowded_lines;
+  /// Of faces that meet in such a point only, not all are in pairs.
+  std::vector<CrowdedPoint> crowded_points;
 };
 
-/// All pairs that may meet. Crowded lines are looked for if they may stay whole, and there are many
-/// pairs.
+/// All pairs that may meet. Crowded points are looked for where there are many pairs, and crowded
+/// lines if they may stay whole, too.
 Pairs find_pairs(const Facets& facets, const FacetTree& tree,
                  const std::vector<std::uint8_t>& convex, const Kernel& kernel, Crowds crowds,
                  const Steering& steering);

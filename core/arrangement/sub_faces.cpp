@@ -230,11 +230,14 @@ void divide_planes(std::vector<PlanePieces>& planes, const Facets& facets, const
   });
 }
 
-// Those in pairs, those that touch themselves, and their neighbours: an edge lies in both.
-std::vector<std::uint8_t> faces_to_look_at(const Facets& facets, const std::vector<FacePair>& pairs,
+// Those in pairs or at crowded points, those that touch themselves, and their neighbours: an edge
+// lies in both.
+std::vector<std::uint8_t> faces_to_look_at(const Facets& facets, const Pairs& pairs,
                                            const std::vector<std::uint8_t>& touches_itself) {
   std::vector<std::uint8_t> wanted(facets.face_count(), 0);
-  for (const FacePair& pair : pairs) wanted[pair.f] = wanted[pair.g] = 1;
+  for (const FacePair& pair : pairs.pairs) wanted[pair.f] = wanted[pair.g] = 1;
+  for (const CrowdedPoint& point : pairs.crowded_points)
+    for (const std::uint32_t f : point.faces) wanted[f] = 1;
   std::vector<PointId> corners;
   const auto for_each_corner = [&](std::uint32_t f, const auto& visit) {
     for (std::uint32_t c = facets.begin(f); c < facets.end(f); ++c) visit(facets.from(c));
@@ -255,19 +258,19 @@ std::vector<std::uint8_t> faces_to_look_at(const Facets& facets, const std::vect
 SubFaces arrange(const Facets& facets, const FacetTree& tree, Counting counting, Crowds crowds,
                  Geometry& geometry, Kernel& kernel, const Steering& steering) {
   const std::vector<std::uint8_t> convex = find_convex(facets, kernel);
-  const auto [pairs, crowded_lines] = find_pairs(facets, tree, convex, kernel, crowds, steering);
+  const Pairs pairs = find_pairs(facets, tree, convex, kernel, crowds, steering);
   steering.step(0.3);
   const std::vector<std::uint8_t> touches_itself = find_self_touching(facets, convex, kernel);
-  const std::vector<std::uint8_t> wanted = crowded_lines.empty()
+  const std::vector<std::uint8_t> wanted = pairs.crowded_lines.empty()
                                                ? faces_to_look_at(facets, pairs, touches_itself)
                                                : std::vector<std::uint8_t>(facets.face_count(), 1);
   const EdgeLines lines(facets, wanted, geometry, kernel);
   std::vector<PointId> first_at;
   const Traces traces =
       find_traces(facets, pairs, convex, lines, wanted, geometry, kernel, first_at, steering);
-  const RowLines rows(facets, traces, crowded_lines, kernel);
+  const RowLines rows(facets, traces, pairs.crowded_lines, kernel);
   steering.step(0.5);
-  const Groups groups(facets, pairs, traces, rows, kernel, touches_itself);
+  const Groups groups(facets, pairs.pairs, traces, rows, kernel, touches_itself);
   std::vector<PlanePieces> planes(groups.groups.size());
   parallel::loop(0, planes.size(), [&](std::size_t i) {
     planes[i] = PlanePieces(facets, lines, traces, rows, groups.groups[i], kernel);

@@ -192,10 +192,32 @@ std::vector<PointId> add_points(const std::vector<Construction>& constructions, 
   return made;
 }
 
-Traces find_traces(const Facets& facets, const std::vector<FacePair>& pairs,
+namespace {
+
+std::vector<PointId> add_crowded_points(const std::vector<CrowdedPoint>& crowded,
+                                        Geometry& geometry, Kernel& kernel) {
+  std::vector<Construction> constructions;
+  for (const CrowdedPoint& point : crowded) constructions.push_back(point.how);
+  return add_points(constructions, geometry, kernel);
+}
+
+// Whether it is in pairs or not, a face has the points in its edges.
+std::vector<std::pair<std::uint32_t, PointId>> points_of_faces(
+    const std::vector<CrowdedPoint>& crowded, const std::vector<PointId>& points,
+    const std::vector<PointId>& first_at) {
+  std::vector<std::pair<std::uint32_t, PointId>> all;
+  for (std::size_t i = 0; i < crowded.size(); ++i)
+    for (const std::uint32_t f : crowded[i].faces) all.push_back({f, first_at[points[i].value()]});
+  return all;
+}
+
+}  // namespace
+
+Traces find_traces(const Facets& facets, const Pairs& found_pairs,
                    const std::vector<std::uint8_t>& convex, const EdgeLines& lines,
                    const std::vector<std::uint8_t>& wanted, Geometry& geometry, Kernel& kernel,
                    std::vector<PointId>& first_at, const Steering& steering) {
+  const std::vector<FacePair>& pairs = found_pairs.pairs;
   const FaceLocator locator(facets, lines, wanted, kernel);
   const ContactFinder find(facets, lines, locator, kernel);
   constexpr std::size_t block = 64;
@@ -205,8 +227,11 @@ Traces find_traces(const Facets& facets, const std::vector<FacePair>& pairs,
     if (pairs[i].how != Meeting::overlapping) find(static_cast<std::uint32_t>(i), pairs[i], out);
   });
   PairPoints contacts = collect_points(found, pairs.size(), geometry, kernel);
+  const std::vector<PointId> crowded =
+      add_crowded_points(found_pairs.crowded_points, geometry, kernel);
   {
     std::vector<PointId> points = contacts.points;
+    append(points, crowded);
     for (std::size_t f = 0; f < facets.face_count(); ++f)
       if (wanted[f])
         for (std::uint32_t c = facets.begin(f); c < facets.end(f); ++c)
@@ -230,6 +255,7 @@ Traces find_traces(const Facets& facets, const std::vector<FacePair>& pairs,
     traces.push_back(std::move(out.traces.traces));
     points.push_back(std::move(out.traces.points));
   }
+  points.push_back(points_of_faces(found_pairs.crowded_points, crowded, first_at));
   Traces result;
   sort_by_face(traces, facets.face_count(), result.trace_end, result.traces);
   sort_by_face(points, facets.face_count(), result.point_end, result.points);

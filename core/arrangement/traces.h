@@ -32,7 +32,7 @@ struct Traces {
 };
 
 /// Adds the points to the geometry. `first_at` is brought up to date: see unite_places.
-Traces find_traces(const Facets& facets, const std::vector<FacePair>& pairs,
+Traces find_traces(const Facets& facets, const Pairs& pairs,
                    const std::vector<std::uint8_t>& convex, const EdgeLines& lines,
                    const std::vector<std::uint8_t>& wanted, Geometry& geometry, Kernel& kernel,
                    std::vector<PointId>& first_at, const Steering& steering);

@@ -60,11 +60,9 @@ CrossingFans::CrossingFans(const Kernel& kernel, const SidedPolygons& polygons) 
   geometry_ = kernel.geometry();
   for (const Construction& how : crossings) {
     const auto [position, is_explicit] = kernel.construct(how);
-    fans_.push_back(
-        {is_explicit ? geometry_.add_point(position) : geometry_.add_point(how, position),
-         {},
-         {},
-         {}});
+    const PointId point =
+        is_explicit ? geometry_.add_point(position) : geometry_.add_point(how, position);
+    fans_.push_back({how, point, {}, {}, {}});
   }
   add_polygons(polygons);
   leave_out_small_ones();

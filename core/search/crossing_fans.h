@@ -34,12 +34,15 @@ class CrossingFans {
   std::span<const SeenArc> arcs(std::size_t fan) const { return fans_[fan].arcs; }
   /// All polygons that have the point in an edge or a corner, ascending, maybe some of other fans.
   std::span<const std::uint32_t> at_point(std::size_t fan) const { return fans_[fan].at_point; }
+  /// Of what is in the geometry that was given.
+  const Construction& how(std::size_t fan) const { return fans_[fan].how; }
   /// The points are in a geometry of their own, which has all of the one that was given.
   PointId point(std::size_t fan) const { return fans_[fan].point; }
   const Geometry& geometry() const { return geometry_; }
 
  private:
   struct Fan {
+    Construction how;
     PointId point;
     std::vector<std::uint32_t> polygons, at_point;
     std::vector<SeenArc> arcs;

@@ -1,5 +1,5 @@
 // Stars: walls that begin in one point and stand on a floor. In its plane all their edges have the
-// point in common.
+// point in common. And walls whose edges run through one point.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,6 +13,7 @@
 #include "sectile/primitives.h"
 #include "sectile/repair.h"
 #include "sectile/solid.h"
+#include "unit/walls_through_a_point.h"
 
 namespace sectile {
 namespace {
@@ -67,6 +68,41 @@ TEST(StarGrowth, OnAFloorInARepair) {
                 },
                 200),
             n_log_n);
+}
+
+test::WallsThroughAPoint walls_through_a_point(std::size_t n, double turn) {
+  test::WallsThroughAPoint walls;
+  walls.count = static_cast<int>(n);
+  walls.turn = turn;
+  return walls;
+}
+
+// Those of one solid are between those of the other one, or reach into them.
+TEST(WallsGrowth, ThroughAPointAsCells) {
+  for (const double turn : {0.5, 0.125})
+    EXPECT_LT(growth(
+                  [turn](std::size_t n) {
+                    std::vector<Solid> both;
+                    for (const double t : {0.0, turn})
+                      both.push_back(Solid::from_mesh(walls_through_a_point(n, t).mesh()));
+                    return [both] { cells(both); };
+                  },
+                  100),
+              n_log_n);
+}
+
+TEST(WallsGrowth, ThroughAPointInARepair) {
+  for (const double turn : {0.5, 0.125})
+    EXPECT_LT(growth(
+                  [turn](std::size_t n) {
+                    PolygonMesh mesh = walls_through_a_point(n, 0).mesh();
+                    test::append(walls_through_a_point(n, turn).mesh(), mesh);
+                    RepairOptions options;
+                    options.rule = Rule::odd;
+                    return [=] { repair(mesh, options); };
+                  },
+                  100),
+              n_log_n);
 }
 
 }  // namespace
