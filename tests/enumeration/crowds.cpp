@@ -150,6 +150,20 @@ void CrowdOfFaces::spikes_and_walls() {
   }
 }
 
+// Those that leave their edges outwards are turned alike around the axis; few others cross them.
+// Longer ones are less deep, so that none is within another one.
+void CrowdOfFaces::crossing_walls() {
+  if (below(12) == 0) {
+    const Vec3 along = times(8, lattice(6)), beside = times(4, lattice(4));
+    return tetrahedron(times(-1, along), along, beside, plus(beside, lattice(2)));
+  }
+  const Vec3 out = around(below(120), 120), along{-out.y, out.x, 60};
+  const double length = real(1, 3);
+  const Vec3 beside = times((4 - length) / 2, out);
+  tetrahedron(times(-length, along), times(length, along), beside,
+              plus(beside, {0, 0, below(2) == 0 ? -2.0 : 2.0}));
+}
+
 void CrowdOfFaces::add(std::span<const Vec3> corners, std::span<const std::uint32_t> sizes,
                        std::span<const std::uint32_t> indices) {
   const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
@@ -202,6 +216,7 @@ std::span<const KindOfCrowd> kinds_of_crowds() {
       {"FansOfPlates", &CrowdOfFaces::fan_of_plates},
       {"Bundles", &CrowdOfFaces::bundle},
       {"SpikesAndWalls", &CrowdOfFaces::spikes_and_walls},
+      {"CrossingWalls", &CrowdOfFaces::crossing_walls},
   };
   return kinds;
 }

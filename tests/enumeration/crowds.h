@@ -27,6 +27,7 @@ class CrowdOfFaces {
   void fan_of_plates();     // sectors of a disc, of two heights
   void bundle();            // slanted rods side by side
   void spikes_and_walls();  // around one line
+  void crossing_walls();    // with edges through one point
 
   /// How many parts, and then one of the kinds above.
   PolygonMesh make(void (CrowdOfFaces::*kind)(), int parts);
