@@ -24,11 +24,16 @@ class HubFans {
   template <class ForEachCorner>
   HubFans(std::span<const std::uint32_t> some, std::size_t count, std::size_t points,
           const ForEachCorner& for_each_corner);
+  /// Edges between two hubs that very many polygons have.
+  template <class ForEachCorner>
+  std::vector<PointPair> spines(const ForEachCorner& for_each_corner) const;
   /// Makes one fan of the polygons (the same ones) that have corners on one line along which many
   /// edges run between two hubs.
   template <class ForEachCorner>
   void join_along_spines(std::span<const std::uint32_t> some, const Kernel& kernel,
-                         const ForEachCorner& for_each_corner);
+                         const ForEachCorner& for_each_corner) {
+    join_along(spines(for_each_corner), some, kernel, for_each_corner);
+  }
   /// Beside each other, whatever their ends are.
   template <class ForEachCorner>
   void join_along_crowded_lines(std::span<const std::uint32_t> some, const Kernel& kernel,
@@ -122,9 +127,8 @@ HubFans::HubFans(std::span<const std::uint32_t> some, std::size_t count, std::si
 
 // Each edge is one of two polygons.
 template <class ForEachCorner>
-void HubFans::join_along_spines(std::span<const std::uint32_t> some, const Kernel& kernel,
-                                const ForEachCorner& for_each_corner) {
-  if (fans_.size() < 2) return;
+std::vector<PointPair> HubFans::spines(const ForEachCorner& for_each_corner) const {
+  if (fans_.size() < 2) return {};
   const auto is_hub = [&](std::uint32_t p) {
     return std::ranges::binary_search(fans_, PointId(p), {},
                                       [](const Fan& fan) { return fan.points[0]; });
@@ -134,8 +138,7 @@ void HubFans::join_along_spines(std::span<const std::uint32_t> some, const Kerne
     for_each_edge(fan.polygons, for_each_corner, [&](const PointPair& e) {
       if (is_hub(e.from) && is_hub(e.to)) between.push_back(e);
     });
-  join_along(Hubs::spines_among(std::move(between), Hubs::least_faces), some, kernel,
-             for_each_corner);
+  return Hubs::spines_among(std::move(between), Hubs::least_faces);
 }
 
 template <class ForEachCorner>

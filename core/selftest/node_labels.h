@@ -12,6 +12,7 @@ class NodeLabels {
  public:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
+  NodeLabels() = default;
   /// One label for each triangle, or none at all.
   NodeLabels(const TriangleTree& tree, const std::vector<std::uint32_t>& labels) {
     if (labels.empty()) return;

@@ -15,6 +15,7 @@
 #include "search/oriented_box.h"
 #include "search/space_partition.h"
 #include "sectile/errors.h"
+#include "selftest/chain_fans.h"
 #include "selftest/edges_on_line.h"
 #include "selftest/flat_block.h"
 #include "selftest/flat_patches.h"
@@ -54,10 +55,12 @@ class Traversal {
         faces_(tree_, labels_of_faces()),
         geometry_(kernel.geometry()),
         kernel_(kernel),
-        hubs_(fans_around_hubs_and_spines()),
-        fans_(tree_, hubs_.of_polygon()),
+        hubs_(fans_around_hubs(tree_.order())),
+        chains_(surface, kernel, tree_.order(), hubs_.spines(CornersOf{surface})),
         settled_(tree_, labels_of_settled()),
-        pairs_(surface, kernel) {}
+        pairs_(surface, kernel) {
+    find_first_fans();
+  }
 
   std::vector<SelfContact> run() {
     while (!traversed()) start_again();
@@ -89,8 +92,8 @@ class Traversal {
   void start_again() {
     if (more_fans_) {
       hubs_ = *std::move(more_fans_);
-      fans_ = NodeLabels(tree_, hubs_.of_polygon());
       more_fans_.reset();
+      label_fans();
     } else if (!slanted_.are_most()) {
       slanted_ = SlantedNodes(surface_, geometry_, tree_, SlantedNodes::Which::all);
       most_tests_ *= 4;
@@ -109,13 +112,18 @@ class Traversal {
     std::vector<SpacePartition::Cell> cells;
     if (space_) cells = space_->cells(least_cells);
     const std::size_t count = space_ ? cells.size() : tree_.nodes(level);
-    steps_ = count + hubs_.count() + patch_pairs_.count();
+    steps_ = count + chains_.part_count() + hubs_.count() + patch_pairs_.count();
     done_ = 0;
     parallel::loop(0, count, [&](std::size_t part) {
       check_cancelled();
       found_->lend([&](Found& found) {
         space_ ? test_cell(cells[part], found) : test_node(level, part, found);
       });
+      note_step();
+    });
+    parallel::loop(0, chains_.part_count(), [&](std::size_t part) {
+      check_cancelled();
+      found_->lend([&](Found& found) { test_chain(part, found); });
       note_step();
     });
     parallel::loop(0, hubs_.count(), [&](std::size_t fan) {
@@ -139,7 +147,7 @@ class Traversal {
   void test_cell(const SpacePartition::Cell& cell, Found& found) {
     space_->for_each_pair(cell, [&](std::uint32_t i, std::uint32_t j) {
       const std::uint32_t s = tree_.order()[i], t = tree_.order()[j];
-      if (!hubs_.same(s, t) && !apart(oriented_[i], oriented_[j])) test(s, t, found);
+      if (!same_fan(s, t) && !apart(oriented_[i], oriented_[j])) test(s, t, found);
     });
   }
 
@@ -195,7 +203,7 @@ class Traversal {
           continue;
         }
         const std::uint32_t s = all.tree_.order()[i], t = all.tree_.order()[j];
-        if (!all.hubs_.same(s, t)) all.test(s, t, found);
+        if (!all.same_fan(s, t)) all.test(s, t, found);
       }
     }
   };
@@ -234,13 +242,43 @@ class Traversal {
       enough_.store(true, std::memory_order_relaxed);
   }
 
-  HubFans fans_around_hubs() const {
-    return HubFans(tree_.order(), surface_.size(), geometry_.positions.size(), CornersOf{surface_});
+  HubFans fans_around_hubs(std::span<const std::uint32_t> triangles) const {
+    return HubFans(triangles, surface_.size(), geometry_.positions.size(), CornersOf{surface_});
   }
-  HubFans fans_around_hubs_and_spines() const {
-    HubFans fans = fans_around_hubs();
-    fans.join_along_spines(tree_.order(), kernel_, CornersOf{surface_});
-    return fans;
+  // Those that are in no fan around a chain.
+  std::vector<std::uint32_t> around_no_chain() const {
+    std::vector<std::uint32_t> rest;
+    for (const std::uint32_t t : tree_.order())
+      if (chains_.of_triangle()[t] == ChainFans::none) rest.push_back(t);
+    return rest;
+  }
+  void find_first_fans() {
+    if (!chains_.empty()) {
+      around_no_chain_ = around_no_chain();
+      hubs_ = fans_around_hubs(around_no_chain_);
+    }
+    hubs_.join_along_spines(not_around_chains(), kernel_, CornersOf{surface_});
+    label_fans();
+  }
+  std::span<const std::uint32_t> not_around_chains() const {
+    return chains_.empty() ? tree_.order() : around_no_chain_;
+  }
+  // The fans of chains are the first ones.
+  void label_fans() {
+    fan_of_ = hubs_.of_polygon();
+    if (!chains_.empty()) {
+      if (fan_of_.empty()) fan_of_.assign(surface_.size(), NodeLabels::none);
+      for (std::size_t t = 0; t < fan_of_.size(); ++t)
+        if (const std::uint32_t chain = chains_.of_triangle()[t]; chain != ChainFans::none)
+          fan_of_[t] = chain;
+        else if (fan_of_[t] != Hubs::none)
+          fan_of_[t] += static_cast<std::uint32_t>(chains_.count());
+    }
+    fans_ = NodeLabels(tree_, fan_of_);
+  }
+  // Two of one fan are not tested, or with it.
+  bool same_fan(std::uint32_t s, std::uint32_t t) const {
+    return !fan_of_.empty() && fan_of_[s] != NodeLabels::none && fan_of_[s] == fan_of_[t];
   }
 
   void note_tests() {
@@ -263,8 +301,8 @@ class Traversal {
     const std::unique_lock lock(looking_, std::try_to_lock);
     if (!lock || is_crowded_) return;
     if (!std::exchange(looked_for_lines_, true)) {
-      HubFans along_lines = fans_around_hubs();
-      along_lines.join_along_crowded_lines(tree_.order(), kernel_, CornersOf{surface_});
+      HubFans along_lines = fans_around_hubs(not_around_chains());
+      along_lines.join_along_crowded_lines(not_around_chains(), kernel_, CornersOf{surface_});
       if (along_lines.any_lines()) return start_again_with(std::move(along_lines));
     }
     if (!std::exchange(looked_for_crossings_, true)) {
@@ -316,12 +354,15 @@ class Traversal {
     oriented_.clear();
     for (const std::uint32_t t : tree_.order()) oriented_.emplace_back(corners(t));
   }
-  // Two of one label are not tested, or with their fan.
   std::vector<std::uint32_t> labels_of_untested() const {
     std::vector<std::uint32_t> labels;
     for (const std::uint32_t t : tree_.order())
-      labels.push_back(hubs_.of_polygon().empty() ? Hubs::none : hubs_.of_polygon()[t]);
+      labels.push_back(fan_of_.empty() ? NodeLabels::none : fan_of_[t]);
     return labels;
+  }
+
+  void test_chain(std::size_t part, Found& found) {
+    chains_.for_each_pair(part, [&](std::uint32_t s, std::uint32_t t) { test(s, t, found); });
   }
 
   // What leaves a line in different directions meets in edges on it only.
@@ -389,7 +430,10 @@ class Traversal {
   const Geometry& geometry_;
   const Kernel& kernel_;
   HubFans hubs_;
-  std::optional<HubFans> more_fans_;  // with which to start again
+  ChainFans chains_;
+  std::vector<std::uint32_t> around_no_chain_;  // if there are chains
+  std::optional<HubFans> more_fans_;            // with which to start again
+  std::vector<std::uint32_t> fan_of_;           // per triangle; empty if there are no fans
   NodeLabels fans_, settled_;
   TrianglePairs pairs_;
   std::optional<SpacePartition> space_;  // if triangles are crowded

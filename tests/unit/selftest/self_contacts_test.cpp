@@ -4,19 +4,16 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <random>
-#include <utility>
 #include <vector>
 
-#include "selftest/self_test.h"
-#include "selftest/triangle_pair.h"
+#include "unit/selftest/contacts_of_a_surface.h"
 
 namespace sectile {
 namespace {
 
 // Leaves: wedges along the z axis, between two places on the rim of a square around it.
-class Leaves {
+class Leaves : public test::ContactsOfASurface {
  public:
   static constexpr int places = 192;
 
@@ -28,44 +25,20 @@ class Leaves {
           i % 3 == 0 ? std::array{0.0, 0.0} : on_square(i % 3 == 1 ? first : second);
       at[i] = point({x + z, y, 4 * z});
     }
-    const std::size_t begin = surface_.size();
-    for (auto [a, b, c] : std::array<std::array<std::size_t, 3>, 8>{{{0, 2, 1},
-                                                                     {3, 4, 5},
-                                                                     {0, 1, 4},
-                                                                     {0, 4, 3},
-                                                                     {1, 2, 5},
-                                                                     {1, 5, 4},
-                                                                     {2, 0, 3},
-                                                                     {2, 3, 5}}}) {
-      if (inside_out) std::swap(b, c);
-      surface_.corners.push_back({at[a], at[b], at[c]});
-      surface_.plane.push_back(geometry_.add_plane(PlaneDefinition::through(at[a], at[b], at[c])));
-      surface_.face.push_back(static_cast<std::uint32_t>(surface_.face.size()));
-    }
-    find_mates(begin);
-  }
-
-  using Pair = std::array<std::uint32_t, 3>;  // and the kind
-  std::vector<Pair> found() const {
-    std::vector<Pair> pairs;
-    for (const SelfContact& c : self_contacts(surface_, Kernel(geometry_)))
-      pairs.push_back(as_pair(c));
-    return pairs;
-  }
-  std::vector<Pair> expected() const {
-    std::vector<Pair> pairs;
-    const Kernel kernel(geometry_);
-    const TrianglePairs test(surface_, kernel);
-    for (std::uint32_t s = 0; s < surface_.size(); ++s)
-      for (std::uint32_t t = s + 1; t < surface_.size(); ++t)
-        if (const auto contact = test.test(s, t)) pairs.push_back(as_pair(*contact));
-    return pairs;
+    std::vector<std::array<PointId, 3>> triangles;
+    for (const auto& [a, b, c] : std::array<std::array<std::size_t, 3>, 8>{{{0, 2, 1},
+                                                                            {3, 4, 5},
+                                                                            {0, 1, 4},
+                                                                            {0, 4, 3},
+                                                                            {1, 2, 5},
+                                                                            {1, 5, 4},
+                                                                            {2, 0, 3},
+                                                                            {2, 3, 5}}})
+      triangles.push_back({at[a], at[b], at[c]});
+    ContactsOfASurface::add(triangles, inside_out);
   }
 
  private:
-  static Pair as_pair(const SelfContact& c) {
-    return {c.first, c.second, static_cast<std::uint32_t>(c.kind)};
-  }
   static std::array<double, 2> on_square(int at) {
     constexpr int half = places / 8, side = 2 * half;
     const double along = at % side - half;
@@ -73,28 +46,6 @@ class Leaves {
         {half, along}, {-along, half}, {-half, -along}, {along, -half}};
     return corners[at / side % 4];
   }
-  PointId point(const Vec3& p) {
-    const auto [known, is_new] = points_.try_emplace({p.x, p.y, p.z});
-    if (is_new) known->second = geometry_.add_point(p);
-    return known->second;
-  }
-  void find_mates(std::size_t begin) {
-    const auto edge = [&](std::size_t t, std::size_t k) {
-      return std::pair(surface_.corners[t][k], surface_.corners[t][(k + 1) % 3]);
-    };
-    for (std::size_t s = begin; s < surface_.size(); ++s)
-      for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t t = begin; t < surface_.size(); ++t)
-          for (std::size_t k = 0; k < 3; ++k)
-            if (edge(s, j) == std::pair(edge(t, k).second, edge(t, k).first)) {
-              surface_.mate.resize(surface_.size());
-              surface_.mate[s][j] = static_cast<std::uint32_t>(t);
-            }
-  }
-
-  Geometry geometry_;
-  std::map<std::array<double, 3>, PointId> points_;
-  TriangleSurface surface_;
 };
 
 class LeavesOnALine : public testing::TestWithParam<int> {};  // so many ends are on the line

@@ -1,0 +1,66 @@
+// Walls along one slanted line, which all end elsewhere. When they are written, each gets the ends
+// of the others, rounded, as corners: the triangles grow with the square of their number, and all
+// that is done with them as the triangles do, but for a logarithm.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "growth/steps.h"
+#include "sectile/rounding.h"
+#include "sectile/solid.h"
+#include "sectile/transform.h"
+
+namespace sectile {
+namespace {
+
+constexpr double square_with_log = 1 + n_log_n;
+
+Solid walls(std::size_t n) {
+  PolygonMesh mesh;
+  const std::size_t places = 2 * n;
+  for (std::size_t i = 0; i < n; ++i) {
+    // Each number from 0 to 2n - 1 is that of one end.
+    const std::size_t low = i, high = places - 1 - (3 * i + 1) % n;
+    const auto corner = [&](double at, std::size_t z) -> Vec3 {
+      const double angle = 2 * std::numbers::pi * at / static_cast<double>(n),
+                   far = 16 * static_cast<double>(places);
+      return {std::round(far * std::cos(angle)), std::round(far * std::sin(angle)),
+              static_cast<double>(z)};
+    };
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const double at = static_cast<double>(i);
+    mesh.positions.insert(mesh.positions.end(), {{0, 0, static_cast<double>(low)},
+                                                 {0, 0, static_cast<double>(high)},
+                                                 corner(at, 7 * i % places),
+                                                 corner(at + 0.6, 11 * i % places)});
+    for (const std::uint32_t k : {0u, 2u, 1u, 0u, 1u, 3u, 1u, 2u, 3u, 2u, 0u, 3u})
+      mesh.indices.push_back(first + k);
+    mesh.face_sizes.insert(mesh.face_sizes.end(), 4, 3);
+  }
+  return transformed(Solid::from_mesh(mesh), Transform::rotation_degrees({1, 2, 3}, 40));
+}
+
+TEST(BentLineGrowth, WritingWalls) {
+  for (const auto numbers : {Rounding::Numbers::doubles, Rounding::Numbers::floats}) {
+    Rounding how;
+    how.numbers = numbers;
+    EXPECT_LT(
+        growth([&](std::size_t n) { return [=, book = walls(n)] { rounded_mesh(book, how); }; },
+               30),
+        square_with_log);
+  }
+}
+
+TEST(BentLineGrowth, ReadingWhatWasWritten) {
+  EXPECT_LT(growth(
+                [](std::size_t n) {
+                  return [mesh = rounded_mesh(walls(n)).mesh] { Solid::from_mesh(mesh); };
+                },
+                30),
+            square_with_log);
+}
+
+}  // namespace
+}  // namespace sectile
