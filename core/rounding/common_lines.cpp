@@ -17,39 +17,22 @@
 namespace sectile {
 namespace {
 
-// Where edges are to be divided.
-class DividedEdges {
+class CornersOnEdges {
  public:
-  DividedEdges(const TriangleSurface& surface, const Kernel& kernel,
-               const std::function<bool(PointId)>& moves)
+  CornersOnEdges(const TriangleSurface& surface, const Kernel& kernel,
+                 const std::function<bool(PointId)>& moves)
       : kernel_(kernel) {
     collect(surface, moves);
     keep_those_near_each_other();
-    std::vector<std::pair<PointPair, PointId>> on = points_on_edges();
-    std::ranges::sort(on);
-    for (std::size_t begin = 0, end; begin < on.size(); begin = end) {
-      for (end = begin; end < on.size() && on[end].first == on[begin].first;) ++end;
-      divide(on[begin].first, std::span(on).subspan(begin, end - begin));
-    }
   }
 
-  bool empty() const { return divided_.empty(); }
-  /// The points in which an edge is divided, in their order. Nothing if it stays whole.
-  std::vector<PointId> between(PointId from, PointId to) const {
-    const PointPair edge = PointPair::between(from.value(), to.value());
-    const auto at = std::ranges::lower_bound(divided_, edge, {}, &Divided::edge);
-    if (at == divided_.end() || at->edge != edge) return {};
-    std::vector<PointId> points = at->points;
-    if (edge.from != from.value()) std::ranges::reverse(points);
-    return points;
+  std::vector<CornerOnEdge> run() const {
+    std::vector<CornerOnEdge> on = on_edges();
+    std::ranges::sort(on);
+    return on;
   }
 
  private:
-  struct Divided {
-    PointPair edge;  // numbers of points of the geometry
-    std::vector<PointId> points;
-  };
-
   const Vec3& at(std::uint32_t point) const { return kernel_.geometry().position(PointId(point)); }
   bool moves(std::uint32_t point) const { return moves_[point] != 0; }
   bool moves(const PointPair& edge) const { return moves(edge.from) || moves(edge.to); }
@@ -99,11 +82,11 @@ class DividedEdges {
     all.resize(kept);
   }
 
-  std::vector<std::pair<PointPair, PointId>> points_on_edges() const {
+  std::vector<CornerOnEdge> on_edges() const {
     std::vector<PieceTree::Edge> edges, places;
     for (const PointPair& e : edges_) edges.push_back({at(e.from), at(e.to)});
     for (const std::uint32_t p : points_) places.push_back({at(p), at(p)});
-    std::vector<std::pair<PointPair, PointId>> on;
+    std::vector<CornerOnEdge> on;
     PieceTree::overlaps(PieceTree(edges), PieceTree(places), [&](std::uint32_t i, std::uint32_t j) {
       const PointPair& edge = edges_[i];
       const PointId p(points_[j]);
@@ -112,12 +95,45 @@ class DividedEdges {
     return on;
   }
 
-  void divide(const PointPair& edge, std::span<const std::pair<PointPair, PointId>> on) {
+  const Kernel& kernel_;
+  std::vector<std::uint32_t> points_;  // numbers in the geometry
+  std::vector<PointPair> edges_;       // of such
+  std::vector<std::uint8_t> moves_;    // per point of the geometry
+};
+
+// Where edges are to be divided.
+class DividedEdges {
+ public:
+  DividedEdges(const Kernel& kernel, std::span<const CornerOnEdge> on,
+               const std::function<bool(PointId)>& moves)
+      : kernel_(kernel), moves_(moves) {
+    for (std::size_t begin = 0, end; begin < on.size(); begin = end) {
+      for (end = begin; end < on.size() && on[end].edge == on[begin].edge;) ++end;
+      divide(on[begin].edge, on.subspan(begin, end - begin));
+    }
+  }
+
+  bool empty() const { return divided_.empty(); }
+  /// The points in which an edge is divided, in their order. Nothing if it stays whole.
+  std::vector<PointId> between(PointId from, PointId to) const {
+    const PointPair edge = PointPair::between(from.value(), to.value());
+    const auto at = std::ranges::lower_bound(divided_, edge, {}, &Divided::edge);
+    if (at == divided_.end() || at->edge != edge) return {};
+    std::vector<PointId> points = at->points;
+    if (edge.from != from.value()) std::ranges::reverse(points);
+    return points;
+  }
+
+ private:
+  struct Divided {
+    PointPair edge;  // numbers of points of the geometry
     std::vector<PointId> points;
+  };
+
+  void divide(const PointPair& edge, std::span<const CornerOnEdge> on) {
+    std::vector<PointId> points{PointId(edge.from), PointId(edge.to)};
     for (const auto& [same_edge, p] : on) points.push_back(p);
-    if (!moves(edge) && std::ranges::none_of(points, [&](PointId p) { return moves(p.value()); }))
-      return;
-    points.insert(points.end(), {PointId(edge.from), PointId(edge.to)});
+    if (std::ranges::none_of(points, moves_)) return;
     const PlacesOnLine places(kernel_, points);
     std::vector<PointId> between;
     for (std::size_t i = 1; i + 1 < places.count(); ++i) between.push_back(places.at(i));
@@ -126,10 +142,8 @@ class DividedEdges {
   }
 
   const Kernel& kernel_;
-  std::vector<std::uint32_t> points_;  // numbers in the geometry
-  std::vector<PointPair> edges_;       // of such
-  std::vector<std::uint8_t> moves_;    // per point of the geometry
-  std::vector<Divided> divided_;       // by edge
+  const std::function<bool(PointId)>& moves_;
+  std::vector<Divided> divided_;  // by edge
 };
 
 // The surface anew, triangle by triangle.
@@ -247,9 +261,20 @@ class Divider {
 
 }  // namespace
 
+std::vector<CornerOnEdge> corners_on_edges(const TriangleSurface& surface, const Kernel& kernel,
+                                           const std::function<bool(PointId)>& moves) {
+  return CornersOnEdges(surface, kernel, moves).run();
+}
+
 void divide_on_common_lines(TriangleSurface& surface, const Kernel& kernel,
                             const std::function<bool(PointId)>& moves) {
-  const DividedEdges edges(surface, kernel, moves);
+  divide_on_common_lines(surface, kernel, moves, corners_on_edges(surface, kernel, moves));
+}
+
+void divide_on_common_lines(TriangleSurface& surface, const Kernel& kernel,
+                            const std::function<bool(PointId)>& moves,
+                            std::span<const CornerOnEdge> on_edges) {
+  const DividedEdges edges(kernel, on_edges, moves);
   if (!edges.empty()) surface = Divider(surface, edges).run();
 }
 

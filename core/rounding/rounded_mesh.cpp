@@ -34,12 +34,18 @@ RoundedMesh round_until_legal(std::shared_ptr<const SolidData> data, const Round
   RoundedMesh result;
   Displacement moved;
   bool was_cramped = false;
+  auto lines =
+      options.separate_touching ? RoundedSurface::Lines::apart : RoundedSurface::Lines::divided;
   for (double coarseness = 1;;) {
-    RoundingAttempt attempt(*data, grid, options, moved, steps);
+    RoundingAttempt attempt(*data, grid, options, lines, moved, steps);
     if (result.report.corners == 0) result.report.corners = attempt.corners();
     if (attempt.run()) {
       attempt.take(result);
       break;
+    }
+    if (attempt.has_lines_that_meet()) {
+      lines = RoundedSurface::Lines::divided;
+      continue;
     }
     Displacement farther;
     const bool on_its_grid = attempt.is_cramped() && !std::exchange(was_cramped, true);

@@ -1,11 +1,14 @@
 #include "rounding/rounded_surface.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "numbers/none.h"
 #include "parallel/parallel.h"
 #include "rounding/common_lines.h"
 #include "rounding/conforming.h"
+#include "rounding/line_separation.h"
 #include "selftest/solid_surface.h"
 
 namespace sectile {
@@ -18,7 +21,7 @@ void require_finite(const Vec3& rounded, const Vec3& exact) {
 
 }  // namespace
 
-RoundedSurface::RoundedSurface(const SolidData& data, const RoundingGrid& grid,
+RoundedSurface::RoundedSurface(const SolidData& data, const RoundingGrid& grid, Lines lines,
                                const SelfTestControl& control) {
   const auto step = [&](double done) {
     if (control.cancel && control.cancel->load(std::memory_order_relaxed)) throw Cancelled();
@@ -33,12 +36,32 @@ RoundedSurface::RoundedSurface(const SolidData& data, const RoundingGrid& grid,
   if (!crossing.empty()) throw InternalError("the edges of a solid's face cross each other");
   step(0.5);
   make_conforming(surface, kernel);
-  divide_on_common_lines(surface, kernel, [&](PointId p) {
-    const Vec3& at = data.geometry().position(p);
-    return !data.geometry().is_explicit(p) || !(grid.nearest(at) == at);
-  });
+  const Geometry* exact = &data.geometry();
+  const auto moves = [&](PointId p) {
+    const Vec3& at = exact->position(p);
+    return !exact->is_explicit(p) || !(grid.nearest(at) == at);
+  };
+  std::vector<CornerOnEdge> on_edges = corners_on_edges(surface, kernel, moves);
+  Geometry geometry_apart;
+  std::optional<Kernel> kernel_apart;
+  std::vector<LineSeparation::Separated> separated;
+  if (lines == Lines::apart && are_crowded(on_edges)) {
+    geometry_apart = *exact;
+    exact = &geometry_apart;
+    LineSeparation apart(surface, geometry_apart, kernel_apart.emplace(geometry_apart), grid);
+    apart.run(on_edges);
+    separated.assign(apart.separated().begin(), apart.separated().end());
+    on_edges = corners_on_edges(surface, *kernel_apart, moves);
+  }
+  for (const LineSeparation::Separated& end : separated)
+    if (!(exact->position(end.point) == grid.nearest(exact->position(end.from)))) ++moved_apart_;
+  divide_on_common_lines(surface, kernel_apart ? *kernel_apart : kernel, moves, on_edges);
   step(0.55);
-  std::vector<std::uint32_t> number(data.geometry().positions.size(), none);
+  const auto place_of = [&](PointId p) {
+    const auto at = std::ranges::lower_bound(separated, p, {}, &LineSeparation::Separated::point);
+    return at != separated.end() && at->point == p ? at->from : p;
+  };
+  std::vector<std::uint32_t> number(exact->positions.size(), none);
   std::vector<std::uint8_t> has_moved;
   corners.resize(surface.size());
   source.resize(surface.size());
@@ -50,13 +73,14 @@ RoundedSurface::RoundedSurface(const SolidData& data, const RoundingGrid& grid,
       std::uint32_t& v = number[p.value()];
       if (v == none) {
         v = static_cast<std::uint32_t>(origin.size());
-        const Vec3& exact = data.geometry().position(p);
-        const Vec3 rounded = grid.nearest(exact);
-        require_finite(rounded, exact);
-        origin.push_back(exact);
-        is_exact.push_back(data.geometry().is_explicit(p));
+        const PointId place = place_of(p);
+        const Vec3& at = exact->position(place);
+        const Vec3 rounded = grid.nearest(exact->position(p));
+        require_finite(rounded, at);
+        origin.push_back(at);
+        is_exact.push_back(exact->is_explicit(place));
         point.push_back(geometry.add_point(rounded));
-        has_moved.push_back(!is_exact.back() || !(rounded == exact));
+        has_moved.push_back(!is_exact.back() || !(rounded == at));
         if (has_moved.back() != 0) moved_ = true;
       }
       corners[t][k] = v;

@@ -19,8 +19,13 @@ struct RoundedSurface {
   using Corners = std::array<std::uint32_t, 3>;
 
   RoundedSurface() = default;
+  enum class Lines : std::uint8_t {
+    divided,  ///< edges have the corners of others that lie on them
+    apart     ///< edges on one line are separated, where they can be and would be much divided
+  };
   /// May throw Cancelled.
-  RoundedSurface(const SolidData& data, const RoundingGrid& grid, const SelfTestControl& control);
+  RoundedSurface(const SolidData& data, const RoundingGrid& grid, Lines lines,
+                 const SelfTestControl& control);
 
   std::vector<Vec3> origin;            ///< per vertex: the place, rounded to doubles
   std::vector<std::uint8_t> is_exact;  ///< per vertex: `origin` is the place
@@ -34,11 +39,14 @@ struct RoundedSurface {
   TriangleSurface surface;
 
   const Vec3& position(std::uint32_t vertex) const { return geometry.position(point[vertex]); }
+  /// How many vertices of edges on common lines were moved apart?
+  std::size_t moved_apart() const { return moved_apart_; }
   /// Has rounding moved any vertex?
   bool anything_moved() const { return moved_; }
 
  private:
   bool moved_ = false;
+  std::size_t moved_apart_ = 0;
 };
 
 }  // namespace sectile

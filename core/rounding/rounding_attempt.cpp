@@ -34,13 +34,13 @@ struct Surroundings {
 }  // namespace
 
 RoundingAttempt::RoundingAttempt(const SolidData& data, const RoundingGrid& grid,
-                                 const Rounding& options, const Displacement& before,
-                                 RoundingSteps& steps)
+                                 const Rounding& options, RoundedSurface::Lines lines,
+                                 const Displacement& before, RoundingSteps& steps)
     : options_(options),
       grid_(grid),
       before_(before),
       steps_(steps),
-      rounded_(data, grid, steps.part(0.4)),
+      rounded_(data, grid, lines, steps.part(0.4)),
       kernel_(rounded_.geometry) {}
 
 RoundingRepair& RoundingAttempt::repair() {
@@ -53,6 +53,8 @@ bool RoundingAttempt::run() {
     // Each change leaves fewer vertices, or as many and less that is wrong.
     for (auto faulty = faulty_triangles(rounded_, kernel_, steps_.part(0.5)); !faulty.empty();
          faulty = faulty_triangles(rounded_, kernel_, steps_.part(0.5))) {
+      has_lines_that_meet_ = rounded_.moved_apart() > 0;
+      if (has_lines_that_meet_) return false;
       stuck_ = repair().run(std::move(faulty));
       if (!stuck_.empty()) return false;
     }
@@ -70,7 +72,7 @@ bool RoundingAttempt::run() {
 bool RoundingAttempt::separate() {
   const auto [moved, most_at_a_place, cramped] =
       Separation(rounded_, kernel_, grid_, options_).run();
-  separated_ = moved;
+  separated_ = rounded_.moved_apart() + moved;
   if (cramped.empty()) {
     if (most_at_a_place <= small_crowd) check_separated();
     return true;
@@ -89,7 +91,7 @@ bool RoundingAttempt::separate() {
 // What was told apart by cones meets nowhere, if all is right. The self-test compares all of a
 // crowd with each other.
 void RoundingAttempt::check_separated() {
-  if (separated_ == 0) return;
+  if (separated_ == rounded_.moved_apart()) return;
   kernel_.refresh();
   if (!faulty_triangles(rounded_, kernel_, steps_.part(0.5)).empty())
     throw InternalError("what was moved apart meets");

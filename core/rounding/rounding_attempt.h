@@ -16,7 +16,7 @@ class RoundingAttempt {
  public:
   /// `before`: how far the solid's corners are from those of the solid that is to be written.
   RoundingAttempt(const SolidData& data, const RoundingGrid& grid, const Rounding& options,
-                  const Displacement& before, RoundingSteps& steps);
+                  RoundedSurface::Lines lines, const Displacement& before, RoundingSteps& steps);
 
   /// Of the solid.
   std::size_t corners() const { return rounded_.point.size(); }
@@ -25,6 +25,8 @@ class RoundingAttempt {
   bool run();
   /// After run() failed: is it for want of room to separate what touches?
   bool is_cramped() const { return is_cramped_; }
+  /// Or does something meet where lines were to be apart? These are to be divided, then.
+  bool has_lines_that_meet() const { return has_lines_that_meet_; }
 
   /// After run() succeeded; the report adds to what `result` has already.
   void take(RoundedMesh& result);
@@ -53,7 +55,7 @@ class RoundingAttempt {
   std::optional<RoundingRepair> repair_;
   std::vector<std::uint32_t> stuck_;  // triangles
   bool shell_is_wrong_ = false;
-  bool is_cramped_ = false;
+  bool is_cramped_ = false, has_lines_that_meet_ = false;
   std::size_t separated_ = 0;
   PolygonMesh mesh_;
   std::vector<FaceSource> sources_;

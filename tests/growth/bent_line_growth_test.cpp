@@ -53,6 +53,15 @@ TEST(BentLineGrowth, WritingWalls) {
   }
 }
 
+// Each wall stays as it is. Most of it is the test whether these cross.
+TEST(BentLineGrowth, SeparationOfWalls) {
+  Rounding how;
+  how.separate_touching = true;
+  EXPECT_LT(
+      growth([&](std::size_t n) { return [=, book = walls(n)] { rounded_mesh(book, how); }; }, 100),
+      1.7);
+}
+
 TEST(BentLineGrowth, ReadingWhatWasWritten) {
   EXPECT_LT(growth(
                 [](std::size_t n) {
