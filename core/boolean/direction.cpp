@@ -46,9 +46,6 @@ Within within_corner(const Kernel& kernel, const Patch& patch, HalfEdgeId h, Dir
   return turn(kernel, plane, first(), last()) == Sign::positive ? Within::outside : Within::inside;
 }
 
-namespace {
-
-// 0: along the start, 1: less than half a turn after it, 2: opposite, 3: more than half a turn.
 int quarter(const Kernel& kernel, PlaneId plane, Direction start, Direction d) {
   switch (turn(kernel, plane, start, d)) {
     case Sign::positive:
@@ -60,8 +57,6 @@ int quarter(const Kernel& kernel, PlaneId plane, Direction start, Direction d) {
   }
   return same_way(kernel, plane, start, d) ? 0 : 2;
 }
-
-}  // namespace
 
 bool before_counter_clockwise(const Kernel& kernel, PlaneId plane, Direction start, Direction a,
                               Direction b) {

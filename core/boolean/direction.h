@@ -44,6 +44,10 @@ enum class Within : std::uint8_t { outside, inside, along_first, along_last };
 /// counter-clockwise from h to the half-edge before it; equal bounds mean a full turn.
 Within within_corner(const Kernel& kernel, const Patch& patch, HalfEdgeId h, Direction d);
 
+/// Where a direction is on the way counter-clockwise from `start`: 0 along it, 1 less than half a
+/// turn after it, 2 opposite, 3 more than half a turn.
+int quarter(const Kernel& kernel, PlaneId plane, Direction start, Direction d);
+
 /// Does a come before b on the way counter-clockwise from `start`? All three differ in direction,
 /// except that a and b may be equal to the start.
 bool before_counter_clockwise(const Kernel& kernel, PlaneId plane, Direction start, Direction a,

@@ -1,5 +1,6 @@
 #include "boolean/face_location.h"
 
+#include "boolean/crowded_corners.h"
 #include "boolean/ray_count.h"
 
 namespace sectile {
@@ -65,6 +66,10 @@ void locate(const Kernel& kernel, const Patch& patch, FaceId face, const Probe& 
     return;
   }
 
+  if (!patch.crowded.empty())
+    if (const CrowdedCorners* crowded = patch.crowded_corners(face);
+        crowded && crowded->touch(kernel, patch, patch.plane(face), point, found))
+      return;
   RayCount count(kernel, patch, patch.plane(face), point, found);
   if (const Patch::Outline* outline = patch.outline(face)) {
     count.add(outline->tree, outline->half_edges);

@@ -4,6 +4,7 @@
 // structure at all times. A solid of which much is touched is loaded whole.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -15,6 +16,8 @@
 #include "storage/solid_data.h"
 
 namespace sectile {
+
+class CrowdedCorners;
 
 struct Patch {
   Brep brep;
@@ -44,6 +47,12 @@ struct Patch {
   /// Per loaded face with many corners; empty if there is none.
   std::vector<std::unique_ptr<const Outline>> outlines;
   std::vector<Box> face_boxes;
+  /// Very many corners in one point, of a loaded face with an outline, until the patch is cut.
+  struct CrowdedFace {
+    FaceId face;
+    std::shared_ptr<const CrowdedCorners> corners;
+  };
+  std::vector<CrowdedFace> crowded;  ///< ascending, as a rule none
 
   /// In the order of their faces and slots.
   std::vector<FarLoops> far_loops;
@@ -67,6 +76,10 @@ struct Patch {
   PlaneId plane(FaceId f) const { return brep.plane[f]; }
   const Outline* outline(FaceId f) const {
     return outlines.empty() ? nullptr : outlines[f.value()].get();
+  }
+  const CrowdedCorners* crowded_corners(FaceId f) const {
+    const auto at = std::ranges::lower_bound(crowded, f, {}, &CrowdedFace::face);
+    return at == crowded.end() || at->face != f ? nullptr : at->corners.get();
   }
   PlaneId side(HalfEdgeId h) const { return side_plane[h]; }
   bool is_flat(EdgeId e) const { return flat[e] != 0; }
@@ -105,8 +118,8 @@ PointId load_point(const Geometry& from, PointId point, Geometry& to);
 Patch half_space_patch(PlaneId plane, FaceSource source);
 
 class Kernel;
-/// Fills root, flat, side_plane, boxes and trees of both; needs the kernel for the workspace's
-/// geometry, which may be given further planes.
+/// Fills root, flat, side_plane, boxes and trees of both; needs the kernel for the
+/// workspace's geometry, which may be given further planes.
 void complete_patches(PerOperand<Patch>& patches, Geometry& geometry, Kernel& kernel);
 
 }  // namespace sectile

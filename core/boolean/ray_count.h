@@ -39,6 +39,11 @@ class RayCount {
         [&](std::uint32_t from, std::uint32_t to) { ray_.pass(start(from), start(to)); });
   }
 
+  /// Is the ray's point this one of the plane?
+  bool touches(PointId p) const {
+    return point_->compare(p, ray_.i()) == Sign::zero && point_->compare(p, ray_.j()) == Sign::zero;
+  }
+
   void add(HalfEdgeId h) {
     using Touch = PlanarRay<Probe>::Touch;
     const Brep& brep = patch_->brep;

@@ -105,5 +105,54 @@ TEST(WallsGrowth, ThroughAPointInARepair) {
               n_log_n);
 }
 
+// Spikes: their edges have the point in common, and no line. On a floor, of which a corner is there
+// between any two of them, each other one.
+PolygonMesh spikes(std::size_t n, std::size_t first, std::size_t by) {
+  PolygonMesh all;
+  const double step = 2 * std::numbers::pi / static_cast<double>(n);
+  for (std::size_t i = first; i < n; i += by) {
+    const double a = step * static_cast<double>(i), b = a + 0.4 * step, c = a + 0.2 * step;
+    test::append({{{0, 0, 0},
+                   {std::cos(a), std::sin(a), 0},
+                   {std::cos(b), std::sin(b), 0},
+                   {std::cos(c), std::sin(c), 0.01}},
+                  {3, 3, 3, 3},
+                  {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}},
+                 all);
+  }
+  return all;
+}
+
+TEST(StarGrowth, SpikesBetweenThoseOfAFloor) {
+  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract})
+    EXPECT_LT(growth(
+                  [&](std::size_t n) {
+                    const Solid floor = boolean(ground(), Solid::from_mesh(spikes(n, 0, 2)),
+                                                Operation::unite),
+                                more = Solid::from_mesh(spikes(n, 1, 2));
+                    return [=] { boolean(floor, more, operation); };
+                  },
+                  400),
+              n_log_n);
+}
+
+TEST(StarGrowth, SpikesThatFillNotchesOfAFloor) {
+  const auto filled = [](std::size_t n) {
+    const Solid all = Solid::from_mesh(spikes(n, 0, 1)),
+                notches = boolean(block({-2, -2, 0}, {2, 2, 1}), all, Operation::subtract);
+    return [=] { boolean(notches, all, Operation::unite); };
+  };
+  EXPECT_LT(growth(filled, 200), n_log_n);
+}
+
+TEST(StarGrowth, SpikesAndAFloorInARepair) {
+  const auto all = [](std::size_t n) {
+    PolygonMesh mesh = spikes(n, 0, 1);
+    test::append(ground().to_mesh(), mesh);
+    return [=] { repair(mesh); };
+  };
+  EXPECT_LT(growth(all, 400), n_log_n);
+}
+
 }  // namespace
 }  // namespace sectile

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "boolean/crowded_corners.h"
 #include "boolean/loading/equal_planes.h"
 #include "boolean/near/near_pairs.h"
 #include "numbers/threshold.h"
@@ -158,6 +159,7 @@ void load(Workspace& w, const SolidData& a, const SolidData& b, const SlotPairs&
     crossings.mark(w);
     crossings.add_pairs_of_owners(w, pairs);
   }
+  for (Patch& patch : w.patch) find_crowded_corners(patch, w.geometry, w.tests());
   sort(pairs, w.patch[Operand::a].loaded_faces);
 }
 

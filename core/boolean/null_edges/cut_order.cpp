@@ -1,9 +1,11 @@
 #include "boolean/null_edges/cut_order.h"
 
 #include <algorithm>
+#include <map>
 #include <span>
 
 #include "boolean/collect.h"
+#include "boolean/corner_fan.h"
 #include "boolean/direction.h"
 #include "numbers/threshold.h"
 #include "sectile/errors.h"
@@ -33,21 +35,21 @@ class Corners {
     std::sort(corners_.begin(), corners_.end());
   }
 
-  // Calls visit(corner) for those of a face, in the order in which they were collected.
-  template <class Visit>
-  void for_each_of(FaceId face, const Visit& visit) const {
-    auto at = std::partition_point(corners_.begin(), corners_.end(),
-                                   [&](const Corner& c) { return c.face < face; });
-    for (; at != corners_.end() && at->face == face; ++at) visit(at->h);
-  }
-
- private:
   struct Corner {
     FaceId face;
     std::uint32_t number;
     HalfEdgeId h;
     friend auto operator<=>(const Corner&, const Corner&) = default;
   };
+  // Those of a face, in the order in which they were collected.
+  std::span<const Corner> of(FaceId face) const {
+    const auto [from, to] =
+        std::equal_range(corners_.begin(), corners_.end(), Corner{face, 0, {}},
+                         [](const Corner& p, const Corner& q) { return p.face < q.face; });
+    return {from, to};
+  }
+
+ private:
   std::vector<Corner> corners_;
 };
 
@@ -61,6 +63,8 @@ struct Given {
 
 // Where the cuts leave the sites of one place.
 class PlaceLeaver {
+  static constexpr std::size_t few_corners = threshold(16, 1);
+
  public:
   explicit PlaceLeaver(const Given& given)
       : w_(given.w),
@@ -81,6 +85,7 @@ class PlaceLeaver {
     }
     std::sort(sites_here_.begin(), sites_here_.end());
     corners_known_ = false;
+    fans_.clear();
     is_alone_ = sites.size() == 1;
     leaving_.clear();
     for (const SiteId s : sites)
@@ -140,12 +145,24 @@ class PlaceLeaver {
   HalfEdgeId corner_of(FaceId face, Direction d) {
     if (!corners_known_) corners_.collect(*patch_, vertices_here_);
     corners_known_ = true;
-    HalfEdgeId found;
-    corners_.for_each_of(face, [&](HalfEdgeId h) {
-      if (!found.valid() || within_corner(kernel_, *patch_, h, d) == Within::inside) found = h;
-    });
-    if (!found.valid()) throw InternalError("a cut leaves a vertex into a face that is not there");
+    const std::span<const Corners::Corner> all = corners_.of(face);
+    if (all.empty()) throw InternalError("a cut leaves a vertex into a face that is not there");
+    if (all.size() > few_corners)
+      if (const CornerFan::Bound& last = fan_of(face, all).last(kernel_, d); last.begins)
+        return last.h;
+    HalfEdgeId found = all[0].h;
+    for (const Corners::Corner& corner : all)
+      if (within_corner(kernel_, *patch_, corner.h, d) == Within::inside) found = corner.h;
     return found;
+  }
+
+  const CornerFan& fan_of(FaceId face, std::span<const Corners::Corner> corners) {
+    const auto known = fans_.find(face);
+    if (known != fans_.end()) return known->second;
+    std::vector<HalfEdgeId> leaving;
+    leaving.reserve(corners.size());
+    for (const Corners::Corner& corner : corners) leaving.push_back(corner.h);
+    return fans_.emplace(face, CornerFan(kernel_, *patch_, leaving)).first->second;
   }
 
   const Workspace& w_;
@@ -161,6 +178,7 @@ class PlaceLeaver {
   bool is_alone_ = false;  // there is no other site
   Corners corners_;        // of the vertices here, once somebody asked
   bool corners_known_ = false;
+  std::map<FaceId, CornerFan> fans_;  // of faces with very many corners here, once asked for
   std::vector<Leaving> leaving_;
 };
 

@@ -10,38 +10,15 @@
 #include "boolean/line.h"
 #include "boolean/reduction/common_border.h"
 #include "boolean/reduction/contact_table.h"
+#include "boolean/reduction/near_half_edges.h"
 #include "boolean/reduction/tests_on_lines.h"
 #include "geometry/constructed_points.h"
 #include "numbers/threshold.h"
 #include "search/bucket_sort.h"
-#include "search/face_corners.h"
 #include "search/piece_tree.h"
 
 namespace sectile {
 namespace {
-
-OutlineTree::Target as_target(const Workspace& w, Operand solid, FaceId face) {
-  const Patch& patch = w.patch[solid];
-  if (patch.unbounded) return {};
-  if (const Patch::Outline* outline = patch.outline(face)) return outline->tree.as_target();
-  return with_outer_corners(patch.brep, w.geometry, face, [](std::span<const Vec3> corners) {
-    return OutlineTree::Target(corners);
-  });
-}
-
-// The half-edges of a face that come near another one, or all of a small face.
-bool near_half_edges(const Workspace& w, Operand solid, FaceId face, FaceId across,
-                     std::vector<SidedHalfEdge>& out) {
-  const Patch& patch = w.patch[solid];
-  if (const Patch::Outline* outline = patch.outline(face)) {
-    outline->tree.query(as_target(w, other(solid), across), [&](std::uint32_t edge) {
-      out.push_back({outline->half_edges[edge], {}, {}});
-    });
-    return false;
-  }
-  for_each_in_face(patch.brep, face, [&](HalfEdgeId h) { out.push_back({h, {}, {}}); });
-  return true;
-}
 
 // The half-edges of a face that come near another one, with their sides. Returns false if it is
 // certain that the face does not reach the plane.

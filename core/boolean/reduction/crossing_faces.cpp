@@ -80,7 +80,11 @@ void CrossingFaces::gather(Operand s) {
     if (i.from == Sign::zero && i.to == Sign::zero) edges_on_line_.push_back({s, i.h});
     if (i.from == Sign::zero) {
       const VertexId v = patch.brep.from(i.h);
-      add(s, v, table_.find(s, patch.tested(v), pair_.face[other(s)]), i.h);
+      const auto hits = table_.find(s, patch.tested(v), pair_.face[other(s)]);
+      if (const CrowdedCorners::Fan* fan = crowded_fan(patch, pair_.face[s], v))
+        add(s, fan->vertices[0], hits, HalfEdgeId());
+      else
+        add(s, v, hits, i.h);
     } else {
       const EdgeId e = Brep::edge_of(i.h);
       add(s, e, table_.find(s, patch.tested(e), pair_.face[other(s)]), i.h);

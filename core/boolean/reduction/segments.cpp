@@ -250,28 +250,42 @@ class EdgeInPlane {
   // The face's corners in the place of a vertex that was tested for them.
   void add_corners_at(Node& node, FaceId face, VertexId tested) {
     const Patch& across = w_.patch[other(s_)];
-    for_each_in_face(across.brep, face, [&](HalfEdgeId h) {
+    const auto add = [&](HalfEdgeId h) {
       const VertexId v = across.brep.from(h);
       if (across.tested(v) == tested) node.items.push_back({v, h});
-    });
+    };
+    const CrowdedCorners* const crowded =
+        across.crowded.empty() ? nullptr : across.crowded_corners(face);
+    if (!crowded) return for_each_in_face(across.brep, face, add);
+    const PieceTree place(std::span(&w_.geometry.position(across.brep.point_of(tested)), 1));
+    for (const CrowdedCorners::Fan& fan : crowded->fans()) {
+      const auto is_tested = [&](VertexId v) { return across.tested(v) == tested; };
+      if (std::ranges::any_of(fan.vertices, is_tested))
+        node.items.push_back({fan.vertices[0], HalfEdgeId()});
+      else
+        CrowdedCorners::query(fan, place, add);
+    }
+    crowded->query_others(place, add);
   }
 
   // An edge of the face that does not end in a node bounds the face there too, even if the face
   // touches itself with something else.
   void pass_through(Node& node, HalfEdgeId h) const {
     if (node.items.empty()) return;
-    const Brep& brep = w_.patch[other(s_)].brep;
-    const Entity edge = Brep::edge_of(h), from = brep.from(h), to = brep.to(h);
+    const Patch& across = w_.patch[other(s_)];
+    const Entity edge = Brep::edge_of(h);
+    const VertexId from = across.brep.from(h), to = across.brep.to(h);
     for (const BoundaryItem& item : node.items)
-      if (item.entity == edge || item.entity == from || item.entity == to) return;
+      if (item.entity == edge || is_of(across, across.brep.face_of(h), item, from) ||
+          is_of(across, across.brep.face_of(h), item, to))
+        return;
     node.items.push_back({edge, h});
     std::sort(node.items.begin(), node.items.end());
   }
 
   Entity end_entity(const Node& node, const Standing& at, FaceId face, Direction along) const {
     if (node.items.empty()) return carrier(at, face);
-    if (at.where == Where::along)
-      return end_along(w_.patch[other(s_)].brep, at.half_edge, node.items);
+    if (at.where == Where::along) return end_along(w_.patch[other(s_)], at.half_edge, node.items);
     return standing(kernel_, w_.patch[other(s_)], face, node.items, -along).entity;
   }
 

@@ -82,7 +82,7 @@ class TouchedFaces {
       throw InternalError("a segment leaves a face that touches itself");
     if (from.where == Standing::Where::along) {
       record.on[s_] = Brep::edge_of(from.half_edge);
-      record.end[s_][1] = end_along(patch().brep, from.half_edge, items);
+      record.end[s_][1] = end_along(patch(), from.half_edge, items);
     } else {
       record.on[s_] = f;
       record.end[s_][1] = standing(kernel_, patch(), f, items, -along).entity;

@@ -4,9 +4,25 @@
 
 namespace sectile {
 
+const CrowdedCorners::Fan* crowded_fan(const Patch& patch, FaceId face, VertexId v) {
+  if (patch.crowded.empty()) return nullptr;
+  const CrowdedCorners* const crowded = patch.crowded_corners(face);
+  return crowded ? crowded->at(v) : nullptr;
+}
+
+bool is_of(const Patch& patch, FaceId face, const BoundaryItem& item, VertexId v) {
+  if (item.entity == Entity(v) || item.h.valid()) return item.entity == Entity(v);
+  const CrowdedCorners::Fan* const fan = crowded_fan(patch, face, v);
+  return fan && fan->vertices[0] == item.entity.vertex();
+}
+
 void add_items(const Patch& patch, FaceId face, Entity entity, std::vector<BoundaryItem>& items) {
   const Brep& brep = patch.brep;
-  if (entity.is_edge()) {
+  const CrowdedCorners::Fan* const fan =
+      entity.is_vertex() ? crowded_fan(patch, face, entity.vertex()) : nullptr;
+  if (fan) {
+    items.push_back({fan->vertices[0], HalfEdgeId()});
+  } else if (entity.is_edge()) {
     for (unsigned side = 0; side < 2; ++side) {
       const HalfEdgeId h = Brep::half_edge(entity.edge(), side);
       if (brep.face_of(h) == face) items.push_back({entity, h});
@@ -57,8 +73,9 @@ Standing on_edge(const Kernel& kernel, const Patch& patch, const BoundaryItem& i
 // With several items, the one next to d clockwise decides: the face lies counter-clockwise of a
 // half-edge that leaves. In a slit, one half-edge arrives where another one leaves: the face ends
 // there and begins again.
-Standing among(const Kernel& kernel, const Patch& patch, PlaneId plane,
+Standing among(const Kernel& kernel, const Patch& patch, FaceId face,
                std::span<const BoundaryItem> items, Direction d) {
+  const PlaneId plane = patch.plane(face);
   struct Bound {
     Direction direction;
     bool leaves;
@@ -67,6 +84,12 @@ Standing among(const Kernel& kernel, const Patch& patch, PlaneId plane,
   };
   std::vector<Bound> bounds;
   for (const BoundaryItem& item : items) {
+    if (!item.h.valid()) {
+      const auto& last = crowded_fan(patch, face, item.entity.vertex())->corners.last(kernel, d);
+      bounds.push_back({last.direction, last.begins, last.h,
+                        last.begins ? patch.brep.from(last.h) : patch.brep.to(last.h)});
+      continue;
+    }
     const Direction out = direction_of(kernel, patch, item.h);
     bounds.push_back({out, true, item.h, item.entity});
     if (item.entity.is_edge()) {
@@ -93,15 +116,19 @@ Standing among(const Kernel& kernel, const Patch& patch, PlaneId plane,
 Standing standing(const Kernel& kernel, const Patch& patch, FaceId face,
                   std::span<const BoundaryItem> items, Direction d) {
   if (items.empty()) return {Where::inside, face, {}};
-  if (items.size() > 1) return among(kernel, patch, patch.plane(face), items, d);
+  if (items.size() > 1 || !items[0].h.valid()) return among(kernel, patch, face, items, d);
   return items[0].entity.is_edge() ? on_edge(kernel, patch, items[0], d)
                                    : at_corner(kernel, patch, items[0], d);
 }
 
-Entity end_along(const Brep& brep, HalfEdgeId h, std::span<const BoundaryItem> items) {
-  const Entity edge = Brep::edge_of(h), from = brep.from(h), to = brep.to(h);
-  for (const BoundaryItem& item : items)
-    if (item.entity == edge || item.entity == from || item.entity == to) return item.entity;
+Entity end_along(const Patch& patch, HalfEdgeId h, std::span<const BoundaryItem> items) {
+  const Entity edge = Brep::edge_of(h);
+  const VertexId from = patch.brep.from(h), to = patch.brep.to(h);
+  for (const BoundaryItem& item : items) {
+    if (item.entity == edge) return edge;
+    for (const VertexId v : {from, to})
+      if (is_of(patch, patch.brep.face_of(h), item, v)) return v;
+  }
   throw InternalError("a segment along an edge ends away from it");
 }
 
