@@ -20,7 +20,7 @@ namespace {
 using test::expect_laws_of_sets;
 using test::expect_the_same_for_an_observer;
 
-constexpr int many = 96;
+constexpr int many = cases(96);
 constexpr double room = 0.4;  // that a spike takes of a step
 const double step = 2 * std::numbers::pi / many;
 

@@ -71,7 +71,7 @@ class SelfTestOfABentLine : public testing::TestWithParam<double> {};
 
 TEST_P(SelfTestOfABentLine, AllThatMeetAsTheyMustNotAreNamed) {
   int some = 0, none = 0;
-  for (unsigned seed = 0; seed < cases(60u); ++seed) {
+  for (unsigned seed = 0; seed < cases(36u); ++seed) {
     SCOPED_TRACE(seed);
     WallsAlongABentLine walls(seed, GetParam());
     const auto add = [&](int first, int widest, bool is_divided, bool inside_out) {
