@@ -118,8 +118,8 @@ PointId load_point(const Geometry& from, PointId point, Geometry& to);
 Patch half_space_patch(PlaneId plane, FaceSource source);
 
 class Kernel;
-/// Fills root, flat, side_plane, boxes and trees of both; needs the kernel for the
-/// workspace's geometry, which may be given further planes.
+/// Fills root, flat, side_plane, boxes and trees of both; needs the kernel for the workspace's
+/// geometry, which may be given further planes.
 void complete_patches(PerOperand<Patch>& patches, Geometry& geometry, Kernel& kernel);
 
 }  // namespace sectile

@@ -208,8 +208,7 @@ void ChainFans::add_parts(std::uint32_t number) {
     if (to - from > 1)
       parts_.push_back({Part::Kind::apex, number, std::int64_t(from), std::int64_t(to), 0});
   }
-  for (std::size_t i = 0; i < fan.others.size(); ++i)
-    parts_.push_back({Part::Kind::other, number, 0, 0, std::int64_t(i)});
+  if (!fan.others.empty()) parts_.push_back({Part::Kind::others, number, 0, last, 0});
 }
 
 void ChainFans::halve(std::uint32_t fan, std::int64_t low, std::int64_t high) {
@@ -229,8 +228,8 @@ void ChainFans::for_each_pair(std::size_t number, const Visit& visit) const {
       return look_along(part, visit);
     case Part::Kind::apex:
       return look_from_apex(part, visit);
-    case Part::Kind::other:
-      return look_at_other(part, visit);
+    case Part::Kind::others:
+      return look_at_others(part, visit);
   }
 }
 
@@ -285,18 +284,21 @@ void ChainFans::look_from_apex(const Part& part, const Visit& visit) const {
       [&](std::uint32_t i, std::uint32_t j) { visit(wings[i].triangle, wings[j].triangle); });
 }
 
-// One that has corners here and there on the chain.
-void ChainFans::look_at_other(const Part& part, const Visit& visit) const {
+// Those that have corners here and there on the chain.
+void ChainFans::look_at_others(const Part& part, const Visit& visit) const {
   const Fan& fan = fans_[part.fan];
-  const auto index = static_cast<std::size_t>(part.at);
-  const std::uint32_t t = fan.others[index];
-  const Box box = box_of(surface_, kernel_.geometry(), t);
-  const auto meet = [&](std::uint32_t s) {
-    if (box_of(surface_, kernel_.geometry(), s).overlaps(box)) visit(s, t);
-  };
-  for (const Wing& w : fan.wings) meet(w.triangle);
-  for (const Spike& s : fan.spikes) meet(s.triangle);
-  for (std::size_t i = 0; i < index; ++i) meet(fan.others[i]);
+  std::vector<std::uint32_t> triangles = fan.others;
+  for (const Wing& w : fan.wings) triangles.push_back(w.triangle);
+  for (const Spike& s : fan.spikes) triangles.push_back(s.triangle);
+  std::vector<Box> boxes;
+  boxes.reserve(triangles.size());
+  for (const std::uint32_t t : triangles) boxes.push_back(box_of(surface_, kernel_.geometry(), t));
+  const BoxTree tree(boxes);
+  for (std::uint32_t other = 0; other < fan.others.size(); ++other)
+    tree.query([&](const Box& box) { return box.overlaps(boxes[other]); },
+               [&](std::uint32_t i) {
+                 if (i > other) visit(triangles[other], triangles[i]);
+               });
 }
 
 }  // namespace sectile

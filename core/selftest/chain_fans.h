@@ -58,7 +58,7 @@ class ChainFans {
     std::vector<std::uint32_t> others;
   };
   struct Part {
-    enum class Kind : std::uint8_t { middle, edge, apex, other } kind;
+    enum class Kind : std::uint8_t { middle, edge, apex, others } kind;
     std::uint32_t fan;
     // Of a middle: between which corners of the chain it is looked around, and from which one; of
     // an apex, from and to which wing.
@@ -67,7 +67,6 @@ class ChainFans {
   class View;
 
   static std::span<const Wing> wings_at(const Fan& fan, std::int64_t first_edge, std::int64_t end);
-  void add_fan(std::vector<std::uint32_t> chain);
   bool is_bent(std::span<const std::uint32_t> chain) const;
   void gather(std::span<const std::uint32_t> triangles);
   void add(std::uint32_t triangle, std::uint32_t fan, std::span<const std::uint32_t> places);
@@ -76,7 +75,7 @@ class ChainFans {
   void look_from(const Part& part, const Visit& visit) const;
   void look_along(const Part& part, const Visit& visit) const;
   void look_from_apex(const Part& part, const Visit& visit) const;
-  void look_at_other(const Part& part, const Visit& visit) const;
+  void look_at_others(const Part& part, const Visit& visit) const;
 
   const TriangleSurface& surface_;
   const Kernel& kernel_;
