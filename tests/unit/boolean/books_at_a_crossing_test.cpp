@@ -9,6 +9,7 @@
 
 #include "boolean/loading/load.h"
 #include "cases.h"
+#include "prism.h"
 #include "sectile/arrangement.h"
 #include "sectile/sectile.h"
 #include "unit/for_an_observer.h"
@@ -60,14 +61,7 @@ void add_wall(const Line& line, const Wall& wall, PolygonMesh& mesh) {
     }
   }
   const bool turned = !is_right_handed(line);
-  for (auto [a, b, c] : std::initializer_list<std::array<std::uint32_t, 3>>{{0, 2, 1},
-                                                                            {3, 4, 5},
-                                                                            {0, 1, 4},
-                                                                            {0, 4, 3},
-                                                                            {1, 2, 5},
-                                                                            {1, 5, 4},
-                                                                            {2, 0, 3},
-                                                                            {2, 3, 5}}) {
+  for (auto [a, b, c] : test::prism_triangles) {
     if (turned) std::swap(b, c);
     mesh.face_sizes.push_back(3);
     mesh.indices.insert(mesh.indices.end(), {o + a, o + b, o + c});

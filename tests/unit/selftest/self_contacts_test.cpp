@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "prism.h"
 #include "unit/selftest/contacts_of_a_surface.h"
 
 namespace sectile {
@@ -26,15 +27,7 @@ class Leaves : public test::ContactsOfASurface {
       at[i] = point({x + z, y, 4 * z});
     }
     std::vector<std::array<PointId, 3>> triangles;
-    for (const auto& [a, b, c] : std::array<std::array<std::size_t, 3>, 8>{{{0, 2, 1},
-                                                                            {3, 4, 5},
-                                                                            {0, 1, 4},
-                                                                            {0, 4, 3},
-                                                                            {1, 2, 5},
-                                                                            {1, 5, 4},
-                                                                            {2, 0, 3},
-                                                                            {2, 3, 5}}})
-      triangles.push_back({at[a], at[b], at[c]});
+    for (const auto& [a, b, c] : test::prism_triangles) triangles.push_back({at[a], at[b], at[c]});
     ContactsOfASurface::add(triangles, inside_out);
   }
 
