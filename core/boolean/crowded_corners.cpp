@@ -114,6 +114,13 @@ std::vector<HalfEdgeId> speakers(const Patch& patch, std::span<const HalfEdgeId>
   return speak;
 }
 
+// Of vertices on a crowded line (near/crowded_lines.h). Whichever face has one of them tests it.
+void test_one_for_all(Patch& patch, const std::vector<CrowdedCorners::Crowd>& crowds) {
+  for (const CrowdedCorners::Crowd& crowd : crowds)
+    if (patch.on_crowded_line[crowd[0]] != 0)
+      for (const VertexId v : crowd) patch.tested.set(v, crowd[0]);
+}
+
 }  // namespace
 
 CrowdedCorners::CrowdedCorners(const Kernel& kernel, const Patch& patch, const Geometry& geometry,
@@ -170,6 +177,7 @@ void find_crowded_corners(Patch& patch, const Geometry& geometry, const Kernel& 
     const std::vector<HalfEdgeId>& half_edges = patch.outlines[f]->half_edges;
     const auto crowds = CrowdFinder(kernel, patch.brep, geometry, half_edges).run();
     if (crowds.empty()) continue;
+    if (!patch.on_crowded_line.empty()) test_one_for_all(patch, crowds);
     patch.crowded.push_back({FaceId(f), std::make_shared<const CrowdedCorners>(
                                             kernel, patch, geometry, half_edges, crowds)});
   }

@@ -84,7 +84,7 @@ BoxTree::BoxTree(const std::vector<Box>& boxes, const std::vector<std::uint32_t>
                  bool along_curve) {
   if (boxes.empty()) return;
   items_ = along_curve ? as_given(boxes.size()) : sorted_along_curve(boxes);
-  if (!group.empty() && !along_curve) put_groups_together(items_, boxes, group);
+  if (!group.empty()) put_groups_together(items_, boxes, group);
   boxes_ = in_fours(boxes.size(), [&](std::size_t i) -> const Box& { return boxes[items_[i]]; });
   first_ = {0, static_cast<std::uint32_t>(boxes_.size())};
   while (node_count(level_count() - 1) > 1) {

@@ -20,7 +20,7 @@ class BoxTree {
   BoxTree() = default;
   /// Takes the boxes of items 0 … boxes.size() - 1. If not empty, `group` puts each item into a
   /// group (or none), and groups stay together. Items that are `along_curve` stay in the order in
-  /// which they are.
+  /// which they are if there are no groups.
   explicit BoxTree(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& group = {},
                    bool along_curve = false);
   static constexpr std::uint32_t no_group = 0xFFFFFFFFu;

@@ -18,13 +18,15 @@
 namespace sectile {
 namespace {
 
-PolygonMesh star(std::size_t walls) {
+// Of these walls only each so-and-so-many-th. They are of one height, or of different ones.
+PolygonMesh star(std::size_t walls, std::size_t first = 0, std::size_t by = 1, double rise = 0) {
   PolygonMesh all;
   const double step = 2 * std::numbers::pi / static_cast<double>(walls);
-  for (std::size_t i = 0; i < walls; ++i) {
+  for (std::size_t i = first; i < walls; i += by) {
     const double a = step * static_cast<double>(i), b = a + 0.5 * step;
     PolygonMesh wall{{}, {3, 3, 4, 4, 4}, {0, 2, 1, 3, 4, 5, 0, 1, 4, 3, 1, 2, 5, 4, 2, 0, 3, 5}};
-    for (const double z : {0.0, 1.0}) {
+    const double top = 1 + rise * static_cast<double>(7919 * i % walls);
+    for (const double z : {0.0, top}) {
       wall.positions.push_back({0, 0, z});
       wall.positions.push_back({std::cos(a), std::sin(a), z});
       wall.positions.push_back({std::cos(b), std::sin(b), z});
@@ -47,6 +49,21 @@ TEST(StarGrowth, OnAFloorInABoolean) {
                   },
                   200),
               n_log_n);
+}
+
+// They all end in one line.
+TEST(StarGrowth, WallsBetweenThoseOfAFloor) {
+  for (const double rise : {0.0, 0x1p-12})
+    for (const Operation operation : {Operation::unite, Operation::subtract})
+      EXPECT_LT(growth(
+                    [&](std::size_t n) {
+                      const Solid floor = boolean(ground(), Solid::from_mesh(star(n, 0, 2, rise)),
+                                                  Operation::unite),
+                                  more = Solid::from_mesh(star(n, 1, 2, rise));
+                      return [=] { boolean(more, floor, operation); };
+                    },
+                    400),
+                n_log_n);
 }
 
 TEST(StarGrowth, OnAFloorAsCells) {

@@ -105,7 +105,7 @@ class PairTest {
         const HalfEdgeId h = border.corner[i][s];
         if (speaks_for_vertex(s, brep.face_of(h), h))
           out_.hits[s].push_back(
-              {brep.from(h), beyond, across.from(border.corner[i][other(s)]), {}});
+              {tested_vertex(s, h), beyond, across.from(border.corner[i][other(s)]), {}});
       }
       if (const HalfEdgeId h = border.edge[s]; h.valid() && speaks_for_edge(s, brep.face_of(h), h))
         out_.in_plane[s].push_back({Brep::edge_of(h), beyond});
@@ -129,9 +129,9 @@ class PairTest {
   void pierce(Operand s, FaceId face, FaceId across) {
     const Patch& patch = w_.patch[s];
     for (const SidedHalfEdge& i : out_.sided[s]) {
-      const VertexId v = patch.brep.from(i.h);
       if (i.from == Sign::zero && speaks_for_vertex(s, face, i.h))
-        record(s, v, across, Probe(kernel_, patch.brep.point_of(v)));
+        record(s, tested_vertex(s, i.h), across,
+               Probe(kernel_, patch.brep.point_of(patch.brep.from(i.h))));
       const EdgeId e = Brep::edge_of(i.h);
       if (!speaks_for_edge(s, face, i.h)) continue;
       if (i.from * i.to == Sign::negative)
@@ -146,6 +146,12 @@ class PairTest {
     const VertexId v = patch.brep.from(h);
     if (on_lines_.has_vertex(s, v)) return on_lines_.vertex_is_tested(s, pair_, h);
     return patch.owner(v) == face && patch.brep.vertex_half_edge[v] == h;
+  }
+  // The start of a half-edge that speaks for it. On lines, it may do so for many in one place.
+  VertexId tested_vertex(Operand s, HalfEdgeId h) const {
+    const Patch& patch = w_.patch[s];
+    const VertexId v = patch.brep.from(h);
+    return on_lines_.has_vertex(s, v) ? patch.tested(v) : v;
   }
   bool speaks_for_edge(Operand s, FaceId face, HalfEdgeId h) const {
     if (on_lines_.has_edge(s, h)) return on_lines_.edge_is_tested(s, pair_, h);

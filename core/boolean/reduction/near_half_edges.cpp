@@ -97,11 +97,10 @@ class NearCrowdedCorners {
   std::vector<HalfEdgeId> out_;
 };
 
-// None where all half-edges are asked for, and where a vertex is tested for one of its corners.
+// None where all half-edges are asked for.
 const CrowdedCorners* crowded_corners(const Workspace& w, Operand solid, FaceId face) {
   const Patch& patch = w.patch[solid];
-  if (patch.crowded.empty() || w.patch[other(solid)].unbounded || !patch.on_crowded_line.empty())
-    return nullptr;
+  if (patch.crowded.empty() || w.patch[other(solid)].unbounded) return nullptr;
   return patch.crowded_corners(face);
 }
 
