@@ -63,11 +63,8 @@ void OutlineTree::sort_loops(std::span<const Vec3> corners,
 void OutlineTree::build_boxes(std::span<const Vec3> corners) {
   const auto count = static_cast<std::uint32_t>(order_.size());
   edge_boxes_.reserve(count);
-  for (std::uint32_t e = 0; e < count; ++e) {
-    const bool closes = e + 1 == count || loop_begin_[e + 1] != loop_begin_[e];
-    const std::uint32_t next = closes ? loop_begin_[e] : e + 1;
-    edge_boxes_.push_back(box_around(corners[order_[e]], corners[order_[next]]));
-  }
+  for (std::uint32_t e = 0; e < count; ++e)
+    edge_boxes_.push_back(box_around(corners[order_[e]], corners[order_[next(e)]]));
   boxes_.emplace_back((count + leaf_size - 1) / leaf_size);
   for (std::uint32_t e = 0; e < count; ++e) boxes_[0][e / leaf_size].add(edge_boxes_[e]);
   while (boxes_.back().size() > 1) {
@@ -89,51 +86,56 @@ bool OutlineTree::is_slanted() const {
   return sum > many_times * area(boxes_.back().front());
 }
 
-// Along the longest edge of each node.
+// Where the edge ends, in the order of the tree.
+std::uint32_t OutlineTree::next(std::uint32_t e) const {
+  const bool closes = e + 1 == order_.size() || loop_begin_[e + 1] != loop_begin_[e];
+  return closes ? loop_begin_[e] : e + 1;
+}
+
 void OutlineTree::build_strips(std::span<const Vec3> corners) {
-  const auto at_i = [&](std::uint32_t c) { return component(corners[c], i_); };
-  const auto at_j = [&](std::uint32_t c) { return component(corners[c], j_); };
-  const auto next = [&](std::uint32_t e) {
-    const bool closes = e + 1 == order_.size() || loop_begin_[e + 1] != loop_begin_[e];
-    return order_[closes ? loop_begin_[e] : e + 1];
-  };
+  edge_strips_.reserve(order_.size());
+  for (std::uint32_t e = 0; e < order_.size(); ++e)
+    edge_strips_.push_back(strip_around(corners, e, e + 1));
   for (std::uint32_t level = 0; level < boxes_.size(); ++level) {
     strips_.emplace_back();
-    for (std::uint32_t index = 0; index < boxes_[level].size(); ++index) {
-      const std::uint32_t from = begin({level, index}), to = end({level, index});
-      Strip strip{0, 0, 0, 0};
-      double longest = 0, reach = 0;
-      for (std::uint32_t e = from; e < to; ++e) {
-        const std::uint32_t c = order_[e], d = next(e);
-        const double along_i = at_i(d) - at_i(c), along_j = at_j(d) - at_j(c);
-        const double length = std::abs(along_i) + std::abs(along_j);
-        for (const std::uint32_t end : {c, d})
-          reach = std::max({reach, std::abs(at_i(end)), std::abs(at_j(end))});
-        if (!(length > longest)) continue;
-        longest = length;
-        strip.x = -along_j / length;
-        strip.y = along_i / length;
-      }
-      const auto at = [&](std::uint32_t c) { return strip.x * at_i(c) + strip.y * at_j(c); };
-      strip.low = strip.high = at(order_[from]);
-      for (std::uint32_t e = from; e < to; ++e)
-        for (const std::uint32_t end : {order_[e], next(e)}) {
-          strip.low = std::min(strip.low, at(end));
-          strip.high = std::max(strip.high, at(end));
-        }
-      const double error = error_of(strip.x, strip.y, reach);
-      strip.low -= error;
-      strip.high += error;
-      strips_.back().push_back(strip);
-    }
+    for (std::uint32_t index = 0; index < boxes_[level].size(); ++index)
+      strips_.back().push_back(strip_around(corners, begin({level, index}), end({level, index})));
   }
 }
 
-bool OutlineTree::is_near(Node n, const Target& target) const {
-  const Box& box = boxes_[n.level][n.index];
-  if (!box.overlaps(target.box) || apart(target.slab, box)) return false;
-  if (strips_.empty() || target.corner_count == 0) return true;
-  const Strip& strip = strips_[n.level][n.index];
+// Along the longest one of some edges.
+OutlineTree::Strip OutlineTree::strip_around(std::span<const Vec3> corners, std::uint32_t from,
+                                             std::uint32_t to) const {
+  const auto at_i = [&](std::uint32_t e) { return component(corners[order_[e]], i_); };
+  const auto at_j = [&](std::uint32_t e) { return component(corners[order_[e]], j_); };
+  Strip strip{0, 0, 0, 0};
+  double longest = 0, reach = 0;
+  for (std::uint32_t e = from; e < to; ++e) {
+    const std::uint32_t f = next(e);
+    const double along_i = at_i(f) - at_i(e), along_j = at_j(f) - at_j(e);
+    const double length = std::abs(along_i) + std::abs(along_j);
+    for (const std::uint32_t end : {e, f})
+      reach = std::max({reach, std::abs(at_i(end)), std::abs(at_j(end))});
+    if (!(length > longest)) continue;
+    longest = length;
+    strip.x = -along_j / length;
+    strip.y = along_i / length;
+  }
+  const auto at = [&](std::uint32_t e) { return strip.x * at_i(e) + strip.y * at_j(e); };
+  strip.low = strip.high = at(from);
+  for (std::uint32_t e = from; e < to; ++e)
+    for (const std::uint32_t end : {e, next(e)}) {
+      strip.low = std::min(strip.low, at(end));
+      strip.high = std::max(strip.high, at(end));
+    }
+  const double error = error_of(strip.x, strip.y, reach);
+  strip.low -= error;
+  strip.high += error;
+  return strip;
+}
+
+bool OutlineTree::is_near(const Strip& strip, const Target& target) const {
+  if (target.corner_count == 0) return true;
   double low = std::numeric_limits<double>::infinity(), high = -low, reach = 0;
   for (std::uint32_t c = 0; c < target.corner_count; ++c) {
     const double i = component(target.corners[c], i_), j = component(target.corners[c], j_);
@@ -146,13 +148,12 @@ bool OutlineTree::is_near(Node n, const Target& target) const {
   return !(high + error < strip.low || low - error > strip.high);
 }
 
-OutlineTree::Side OutlineTree::side(Node n, const Place& place) const {
-  const Box& box = boxes_[n.level][n.index];
+OutlineTree::Side OutlineTree::side(const Box& box, const Strip* along, const Place& place) const {
   if (place.low[1] > box.high[j_] || place.high[1] < box.low[j_] || place.low[0] > box.high[i_])
     return Side::aside;
   if (place.high[0] < box.low[i_]) return Side::ahead;
-  if (strips_.empty()) return Side::around;
-  const Strip& strip = strips_[n.level][n.index];
+  if (!along) return Side::around;
+  const Strip& strip = *along;
   const int i = strip.x < 0 ? 1 : 0, j = strip.y < 0 ? 1 : 0;  // where the low ends count as low
   const double* const end[2] = {place.low, place.high};
   const double low = strip.x * end[i][0] + strip.y * end[j][1],

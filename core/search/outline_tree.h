@@ -74,6 +74,8 @@ class OutlineTree {
   void build_boxes(std::span<const Vec3> corners);
   bool is_slanted() const;
   void build_strips(std::span<const Vec3> corners);
+  std::uint32_t next(std::uint32_t e) const;
+  Strip strip_around(std::span<const Vec3> corners, std::uint32_t from, std::uint32_t to) const;
 
   Node root() const { return {static_cast<std::uint32_t>(boxes_.size() - 1), 0}; }
   Node child(Node n, std::uint32_t which) const { return {n.level - 1, 2 * n.index + which}; }
@@ -86,8 +88,25 @@ class OutlineTree {
     return static_cast<std::uint32_t>(std::min(end, order_.size()));
   }
 
-  bool is_near(Node n, const Target& target) const;
-  Side side(Node n, const Place& place) const;
+  bool is_near(Node n, const Target& target) const {
+    const Box& box = boxes_[n.level][n.index];
+    return box.overlaps(target.box) && !apart(target.slab, box) &&
+           (strips_.empty() || is_near(strips_[n.level][n.index], target));
+  }
+  bool is_near(std::uint32_t e, const Target& target) const {
+    return edge_boxes_[e].overlaps(target.box) &&
+           (edge_strips_.empty() || is_near(edge_strips_[e], target));
+  }
+  bool is_near(const Strip& strip, const Target& target) const;
+
+  Side side(Node n, const Place& place) const {
+    return side(boxes_[n.level][n.index], strips_.empty() ? nullptr : &strips_[n.level][n.index],
+                place);
+  }
+  Side side(std::uint32_t e, const Place& place) const {
+    return side(edge_boxes_[e], edge_strips_.empty() ? nullptr : &edge_strips_[e], place);
+  }
+  Side side(const Box& box, const Strip* strip, const Place& place) const;
 
   template <class Visit>
   void query(Node n, const Target& target, const Visit& visit) const {
@@ -97,7 +116,7 @@ class OutlineTree {
       return;
     }
     for (std::uint32_t e = begin(n); e < end(n); ++e)
-      if (edge_boxes_[e].overlaps(target.box)) visit(order_[e]);
+      if (is_near(e, target)) visit(order_[e]);
   }
 
   template <class Look, class Pass>
@@ -109,8 +128,17 @@ class OutlineTree {
     } else if (n.level > 0) {
       for (std::uint32_t i = 0; i < child_count(n); ++i) cast_ray(child(n, i), place, look, pass);
     } else {
-      for (std::uint32_t e = begin(n); e < end(n); ++e) look(order_[e]);
+      for (std::uint32_t e = begin(n); e < end(n); ++e) cast_ray_at(e, place, look, pass);
     }
+  }
+
+  template <class Look, class Pass>
+  void cast_ray_at(std::uint32_t e, const Place& place, const Look& look, const Pass& pass) const {
+    const Side where = side(e, place);
+    if (where == Side::ahead)
+      pass_stretch(e, e + 1, pass);
+    else if (where == Side::around)
+      look(order_[e]);
   }
 
   // Whole loops end where they begin; what counts is the loop in which the stretch begins and the
@@ -132,7 +160,8 @@ class OutlineTree {
   std::vector<std::uint32_t> loop_begin_;   // per edge in this order
   std::vector<Box> edge_boxes_;             // per edge in this order
   std::vector<std::vector<Box>> boxes_;     // leaves first, the root last
-  std::vector<std::vector<Strip>> strips_;  // likewise; empty where boxes do
+  std::vector<Strip> edge_strips_;          // per edge in this order; none where boxes do
+  std::vector<std::vector<Strip>> strips_;  // as boxes; none where boxes do
   Target as_target_;
 };
 

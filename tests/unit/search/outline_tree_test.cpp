@@ -124,6 +124,14 @@ Loops upright_comb(std::int64_t teeth) {
   return loops;
 }
 
+// Slanted squares in squares: their boxes overlap, and a ray from within crosses all around it.
+Loops rings(std::int64_t count) {
+  Loops loops;
+  for (std::int64_t r = 10; r <= 10 * count; r += 10)
+    loops.add({{3 * r, r}, {-r, 3 * r}, {-3 * r, -r}, {r, -3 * r}});
+  return loops;
+}
+
 class Random {
  public:
   explicit Random(unsigned seed) : random_(seed) {}
@@ -193,6 +201,28 @@ TEST(OutlineTree, LooksAtFewEdgesOfAComb) {
     }
     EXPECT_LT(looks, 200 * 40u) << (upright ? "upright" : "slanted");
   }
+}
+
+TEST(OutlineTree, LooksAtFewEdgesOfRingsInRings) {
+  const Scene scene(rings(500), 2, 1);
+  Random random(5);
+  std::size_t looks = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Lattice p{random.below(20'000) - 10'000, random.below(20'000) - 10'000};
+    const Scene::Count one = scene.by_tree(p), other = scene.by_all(p);
+    EXPECT_EQ(one.odd, other.odd);
+    looks += one.looks;
+  }
+  EXPECT_LT(looks, 200 * 4u);
+}
+
+// Boxes of many overlap that of a thin triangle, which lies between two of them.
+TEST(OutlineTree, FindsFewEdgesBesideATriangleBetweenRings) {
+  const Scene scene(rings(500), 2, 1);
+  const Vec3 between[] = {{7509, 2510, 0}, {7505, 2505, 0}, {-2480, 7497, 0}};
+  std::size_t found = 0;
+  scene.tree.query(OutlineTree::Target(between), [&](std::uint32_t) { ++found; });
+  EXPECT_LT(found, 8u);
 }
 
 TEST(OutlineTree, FindsAllEdgesThatMeetATriangle) {
