@@ -90,6 +90,18 @@ TEST(Growth, BooleansOfRingsThatStandOnRings) {
   EXPECT_LT(growth(on_top, 100), n_log_n);
 }
 
+// Rounded, so that rings cross the floor here and there, which becomes hooks around hooks.
+TEST(Growth, BooleansOfRingsOnAFloorWithWhichTheyAreHardlyNotFlush) {
+  const auto rounded = [](const Solid& solid) {
+    return Solid::from_mesh(slanted(solid).to_mesh());
+  };
+  const auto on_floor = [&](std::size_t n) {
+    return
+        [a = rounded(plate(n)), b = rounded(rings(n, 0, 0.5))] { boolean(a, b, Operation::unite); };
+  };
+  EXPECT_LT(growth(on_floor, 100), n_log_n);
+}
+
 TEST(Growth, UnionOfRingsWithAPlate) {
   const auto all = [](std::size_t n) {
     std::vector<Solid> solids{plate(n)};

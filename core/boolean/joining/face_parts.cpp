@@ -4,8 +4,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "boolean/collect.h"
+#include "boolean/joining/next_loops.h"
 #include "boolean/ray_count.h"
 #include "boolean/reduction/standing.h"
 #include "geometry/axes.h"
@@ -35,9 +37,7 @@ class PartSettler {
     // The face of a half-space has a part without an outer loop, which reaches to infinity.
     if (outer_.size() + (patch_.unbounded ? 1 : 0) != faces.size())
       throw InternalError("the parts of a cut face do not fit together");
-    std::vector<LoopId> part_of_inner;
-    const bool single = outer_.size() == 1 && !patch_.unbounded;
-    for (const LoopId l : inner_) part_of_inner.push_back(single ? outer_[0] : around(l));
+    const std::vector<LoopId> part_of_inner = parts_around_inner();
     for (const FaceId f : faces) brep_.outer_loop[f] = LoopId();
     for (const LoopId l : outer_) brep_.next_loop[l] = LoopId();
     for (const LoopId l : inner_) brep_.next_loop[l] = LoopId();
@@ -122,6 +122,52 @@ class PartSettler {
       Euler(brep_).move_loop(homeless.back(), f, true);
       homeless.pop_back();
     }
+  }
+
+  std::vector<LoopId> parts_around_inner() {
+    if (outer_.size() == 1 && !patch_.unbounded) return std::vector(inner_.size(), outer_[0]);
+    tried_ = 0;
+    next_.reset();
+    std::vector<std::optional<LoopId>> part(inner_.size());
+    std::vector<std::uint32_t> in_one;
+    for (std::uint32_t first = 0; first < inner_.size(); ++first) {
+      // Holes that lie in one part lead from one to the next.
+      in_one.clear();
+      std::uint32_t l = first;
+      for (; l < inner_.size() && !part[l]; l = next_loop(l)) in_one.push_back(l);
+      LoopId around_all;
+      if (l == NextLoops::none)
+        around_all = around(inner_[in_one.back()]);
+      else
+        around_all = l < inner_.size() ? *part[l] : outer_[l - inner_.size()];
+      for (const std::uint32_t i : in_one) part[i] = around_all;
+    }
+    std::vector<LoopId> all;
+    for (const std::optional<LoopId>& p : part) all.push_back(*p);
+    return all;
+  }
+
+  // Of the same part as an inner loop: another inner one, or the outer one. None where that is not
+  // known, and as long as it takes less to try the outer loops.
+  std::uint32_t next_loop(std::uint32_t inner) {
+    constexpr std::size_t few_tries = threshold(16, 0);
+    if (!next_ && tried_ <= few_tries * corners_) return NextLoops::none;
+    if (!next_) find_next_loops();
+    return (*next_)[inner];
+  }
+
+  void find_next_loops() {
+    std::vector<PointId> corners;
+    std::vector<std::uint32_t> loop_ends;
+    for (const std::vector<LoopId>* loops : {&inner_, &outer_})
+      for (const LoopId l : *loops) {
+        for_each_in_loop(brep_, l, [&](HalfEdgeId h) {
+          if (patch_.side(h).valid()) corners.push_back(start(h));  // no null edge
+        });
+        loop_ends.push_back(static_cast<std::uint32_t>(corners.size()));
+      }
+    next_.emplace(kernel_, patch_.plane(root_), corners, loop_ends,
+                  static_cast<std::uint32_t>(inner_.size()));
   }
 
   // The innermost of the outer loops that surround an inner one: the smallest ones are tried first,
@@ -218,6 +264,7 @@ class PartSettler {
       if (patch_.side(h).valid()) points_.push_back(start(h));
     });
     const auto edges = edges_of(outer);
+    tried_ += points_.size() + (outlines_[outer] ? 1 : edges.size());
     if (edges.size() != points_.size() || edges.empty()) return false;
     const auto first = std::ranges::find(points_, start(edges[0]));
     if (first == points_.end()) return false;
@@ -306,6 +353,8 @@ class PartSettler {
                               ? nullptr
                               : std::make_unique<OutlineTree>(corners, all, axis_));
     }
+    corners_ = outer_edges_.size();
+    for (const LoopId l : inner_) for_each_in_loop(brep_, l, [&](HalfEdgeId) { ++corners_; });
   }
 
   static constexpr std::size_t many_edges = threshold(24, 2);
@@ -327,6 +376,9 @@ class PartSettler {
   std::vector<HalfEdgeId> outer_edges_;
   std::vector<std::uint32_t> outer_end_;                // per outer loop: end of its edges
   std::vector<std::unique_ptr<OutlineTree>> outlines_;  // per outer loop, if it has many edges
+  std::size_t corners_ = 0;        // of all loops, as soon as there are outlines
+  std::size_t tried_ = 0;          // how many of them were looked at for inner loops
+  std::optional<NextLoops> next_;  // of inner loops and the outer ones after them, if worth while
 };
 
 // The parts of the divided faces, face by face.

@@ -44,6 +44,8 @@ class NearPairs {
     if (!hubs_.add_pairs(pairs, most)) return {};
     return pairs;
   }
+  /// Did very many have to be looked at?
+  bool is_crowded() const { return looks_.load(std::memory_order_relaxed) > very_many * faces_; }
 
  private:
   // More looks than so many for each face are a reason to divide space.
@@ -108,8 +110,6 @@ class NearPairs {
     }
   };
 
-  bool is_crowded() const { return looks_.load(std::memory_order_relaxed) > very_many * faces_; }
-
   const Workspace& w_;
   const SolidData &a_, &b_;
   const SlotPairs& slots_;
@@ -124,6 +124,8 @@ constexpr std::size_t many_pairs = threshold(8, 1), many_pairs_of_what_differs =
 constexpr std::size_t many_pairs_of_a_crowd = threshold(32, 1);
 // All pairs of so few faces that leave their boxes empty are no more than others.
 constexpr std::size_t few_hollow = threshold(16, 0);
+// So many pairs of slots for each slot lie around each other, as rings in rings do, or cross.
+constexpr std::size_t many_pairs_of_slots = threshold(64, 1);
 // A solid that is tested against itself has some for each face at all of its corners.
 constexpr std::size_t many_with_itself = threshold(32, 1);
 
@@ -143,6 +145,9 @@ class NearFinder {
         slots_.have_common_blocks(a_, b_) || seem_to_have_common_faces(a_, b_, slots_.slots());
     if (have_much_in_common)
       if (auto near = what_differs()) return fewest(*std::move(near));
+    if (has_nested_slots())
+      if (auto near = nested(); near && near->pairs.size() <= many_with_itself * faces_)
+        return *std::move(near);
     if (auto near = few(slots_, many_pairs)) return *std::move(near);
     if (!have_much_in_common)
       if (auto near = what_differs()) return fewest(*std::move(near));
@@ -155,19 +160,25 @@ class NearFinder {
     return !w_.options.observer && !wanted_.operations.empty() && !wanted_.all_pairs;
   }
 
-  Near with_itself() const {
+  bool has_nested_slots() const {
+    const SlotsOfBoth slots = slots_.slots();
+    return slots_.pairs().size() >
+           many_pairs_of_slots * (slots[Operand::a].size() + slots[Operand::b].size());
+  }
+
+  Near with_itself() {
     if (auto near = few(slots_, many_with_itself)) return *std::move(near);
     return many();
   }
 
   // Not those that matter, but all.
-  Near whole() const {
+  Near whole() {
     if (auto near = few(slots_, many_pairs)) return *std::move(near);
     if (auto near = nested()) return *std::move(near);
     return all();
   }
 
-  Near many() const {
+  Near many() {
     auto near = nested();
     if (near && near->pairs.size() <= many_with_itself * faces_) return *std::move(near);
     if (auto beside = all_but_along_crowded_lines()) return *std::move(beside);
@@ -187,14 +198,19 @@ class NearFinder {
 
   Near all() const {
     Near near = without_pairs(slots_);
-    near.pairs = NearPairs(w_, a_, b_, near.slots, near.hubs).all();
+    near.pairs = is_crowded_ ? pairs_of_crowded_faces(w_, a_, b_, slots_.slots(), near.hubs)
+                             : NearPairs(w_, a_, b_, near.slots, near.hubs).all();
     near.hubs.add_pairs(near.pairs);
     return near;
   }
 
-  std::optional<Near> few(const SlotPairs& slots, std::size_t for_each_face) const {
+  // Where very many had to be looked at once, nobody looks again.
+  std::optional<Near> few(const SlotPairs& slots, std::size_t for_each_face) {
+    if (&slots == &slots_ && is_crowded_) return {};
     Near near = without_pairs(slots);
-    auto pairs = NearPairs(w_, a_, b_, near.slots, near.hubs).few(for_each_face);
+    NearPairs search(w_, a_, b_, near.slots, near.hubs);
+    auto pairs = search.few(for_each_face);
+    if (&slots == &slots_) is_crowded_ = search.is_crowded();
     if (!pairs) return {};
     near.pairs = *std::move(pairs);
     return near;
@@ -202,7 +218,7 @@ class NearFinder {
 
   // What is common is among all pairs again, if these are by far fewer when faces that lie in holes
   // of others are looked at in pieces.
-  Near fewest(Near what_differs) const {
+  Near fewest(Near what_differs) {
     if (what_differs.pairs.size() <= many_pairs * faces_) return what_differs;
     CommonFaces common = std::exchange(w_.common_faces, CommonFaces());
     if (auto near = nested(); near && 2 * near->pairs.size() < what_differs.pairs.size())
@@ -211,11 +227,12 @@ class NearFinder {
     return what_differs;
   }
 
-  // None if no faces lie in holes of others, or these have so many corners that all pairs of faces
-  // take no longer.
-  std::optional<Near> nested() const {
+  // None if no faces or slots lie in holes of others, or faces have so many corners that all pairs
+  // of them take no longer. There is one tree for all faces: where each slot is a ring in a ring,
+  // their own ones would be compared each with each.
+  std::optional<Near> nested() {
     const NestedFaces faces(w_, a_, b_, slots_.slots());
-    if (faces.hollow_faces() <= few_hollow) return {};
+    if (faces.hollow_faces() <= few_hollow && !is_crowded_ && !has_nested_slots()) return {};
     const std::size_t for_each_face = faces.hollow_corners() / faces_;
     if (for_each_face > many_pairs)
       if (auto near = few(slots_, for_each_face)) return near;
@@ -296,6 +313,7 @@ class NearFinder {
   const SlotPairs& slots_;
   const Wanted& wanted_;
   const std::size_t faces_ = slots_.count_faces(a_, b_);
+  bool is_crowded_ = false;  // were very many faces, or nodes above them, looked at in all slots?
 };
 
 }  // namespace

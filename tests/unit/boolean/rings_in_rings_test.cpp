@@ -129,6 +129,37 @@ TEST(RingsInRings, SlantedAreWhatTheyWereBefore) {
   EXPECT_TRUE(boolean(slanted(grooves), slanted(all), Operation::intersect).is_empty());
 }
 
+// Slanted and rounded, they cross the floor by less than a hair here and there, and hooks around
+// hooks are cut out of it.
+TEST(RingsInRings, StandOnAFloorWithWhichTheyAreHardlyNotFlush) {
+  const auto rounded = [](const Solid& solid) {
+    return Solid::from_mesh(slanted(solid).to_mesh());
+  };
+  const Solid floor = rounded(plate());
+  for (const int n : {8, 40}) {
+    const Solid all = rounded(unite(rings(0, 1, n))), both = boolean(floor, all, Operation::unite);
+    EXPECT_NEAR(both.volume(), floor.volume() + all.volume(), 1e-9);
+    EXPECT_NEAR(boolean(floor, all, Operation::subtract).volume(), floor.volume(), 1e-9);
+    EXPECT_NEAR(boolean(all, floor, Operation::subtract).volume(), all.volume(), 1e-9);
+    EXPECT_TRUE(validate(both).empty());
+    EXPECT_TRUE(boolean(both, floor, Operation::unite) == both);
+    EXPECT_TRUE(boolean(boolean(both, all, Operation::subtract), all, Operation::unite) == both);
+  }
+}
+
+// Each ring is a shell in a block of its own.
+TEST(RingsInRings, LieBetweenOthers) {
+  const int many = 280;
+  PolygonMesh even, odd;
+  for (int i = 0; i < many; ++i)
+    test::append(standing(ring(i), 0, 1).to_mesh(), i % 2 == 0 ? even : odd);
+  const Solid a = slanted(Solid::from_mesh(even)), b = slanted(Solid::from_mesh(odd)),
+              both = boolean(a, b, Operation::unite);
+  EXPECT_EQ(both.counts().shells, std::size_t(many));
+  EXPECT_TRUE(boolean(a, b, Operation::intersect).is_empty());
+  EXPECT_TRUE(boolean(both, b, Operation::subtract) == a);
+}
+
 TEST(RingsInRings, AreTheSameForAnObserver) {
   const Solid all = unite(rings(-1, 1)), grooves = boolean(plate(), all, Operation::subtract);
   test::expect_the_same_for_an_observer(grooves, all);
