@@ -1,10 +1,12 @@
 // Wedges of material along one line, on whose edges corners of others lie: each gets ends of its
-// own within its sector of what is around the line.
+// own within its sector of what is around the line, or within its own material, if it is not alone
+// in its directions.
 //
 // Else each would get the corners of all others on its edges when these are rounded, and as many
 // vertices would have to be moved apart as there are pairs.
 #pragma once
 
+#include <array>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "rounding/common_lines.h"
 #include "rounding/edge_sectors.h"
 #include "rounding/rounding_grid.h"
+#include "search/places_on_line.h"
 #include "selftest/triangle_surface.h"
 
 namespace sectile {
@@ -27,8 +30,8 @@ class LineSeparation {
                  const RoundingGrid& grid)
       : surface_(surface), geometry_(geometry), kernel_(kernel), grid_(grid) {}
 
-  /// Looks at the lines of edges with corners on them. All wedges of a line are separated, if each
-  /// has a sector with numbers of the grid in it, and the triangles at its ends are there, too.
+  /// Looks at the lines of edges with corners on them. A wedge is separated if there are numbers of
+  /// the grid in its room, and the triangles at its ends are there, too.
   void run(std::span<const CornerOnEdge> on_edges);
 
   /// A point that is a number of the grid, in the place of another one on the line.
@@ -49,25 +52,52 @@ class LineSeparation {
   };
   // What is to be at another place.
   struct End {
-    std::vector<Corner> corners;
+    std::vector<Corner> star;  // the triangles there; none if it has to stay
     PointId from;
     Vec3 to;
   };
+  // What is along one line.
+  struct Book {
+    PlacesOnLine places;
+    std::vector<EdgeSectors::Wedge> wedges;
+    std::vector<std::array<End, 2>> ends;  // of each wedge's edge
+  };
+  // Half-spaces with places for an end in all of them.
+  struct Room {
+    std::vector<PlaneId> planes;
+    Vec3 amid;         // a way from the end
+    double clearance;  // steps from all that bounds it
+  };
 
-  std::vector<Side> edges_between(std::span<const PointId> points) const;
-  void separate(const EdgesOfLine& line, std::span<const PointId> points,
-                std::span<const Side> edges);
-  EdgeSectors::Side side(std::uint32_t triangle, std::size_t k) const;
-  bool add_end(Corner corner, std::span<const PointId> on_line, const EdgeSectors::Wedge& wedge,
-               std::span<const PlaneId> sector, std::vector<End>& ends);
+  void find_points(std::span<const CornerOnEdge> on_edges);
+  std::vector<Side> edges_between_points();
+  std::vector<PointId> points_on(const EdgesOfLine& line, std::span<const CornerOnEdge> on_edges);
+  Book book_of(const EdgesOfLine& line, std::span<const PointId> on_line,
+               std::span<const Side> edges) const;
+  void separate(Book& book, std::span<const PointId> on_line);
+  void move(const std::array<End, 2>& ends);
+  End end_at(Corner corner, std::span<const PointId> on_line) const;
+  std::vector<std::vector<PlaneId>> sectors_of(const Book& book,
+                                               const std::vector<bool>& have_others);
+  std::vector<bool> have_others_on_edges(const Book& book, std::span<const PointId> on_line) const;
+  bool find_places(std::array<End, 2>& ends, const EdgeSectors::Wedge& wedge,
+                   std::span<const PlaneId> sector, double clearance);
+  Room room_in_sector(const End& end, const EdgeSectors::Wedge& wedge,
+                      std::span<const PlaneId> sector) const;
+  Room room_in_material(const End& end) const;
+  bool has_star_in(const End& end, const Room& room) const;
   double step_around(const End& end) const;
-  bool find_place(End& end, const EdgeSectors::Wedge& wedge, std::span<const PlaneId> sector);
+  bool find_place(End& end, const Room& room);
+  EdgeSectors::Side side(Corner corner) const;
   Corner mate(Corner corner) const;
 
   TriangleSurface& surface_;
   Geometry& geometry_;
   Kernel& kernel_;
   const RoundingGrid& grid_;
+  std::vector<PointId> points_;         // on lines, ascending
+  std::vector<bool> is_on_line_;        // per point of the geometry, while those of one are sought
+  std::vector<std::uint32_t> corners_;  // of triangles, in each of them
   std::vector<Separated> separated_;
 };
 

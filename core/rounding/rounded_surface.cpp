@@ -81,6 +81,7 @@ RoundedSurface::RoundedSurface(const SolidData& data, const RoundingGrid& grid, 
         is_exact.push_back(exact->is_explicit(place));
         point.push_back(geometry.add_point(rounded));
         has_moved.push_back(!is_exact.back() || !(rounded == at));
+        is_apart_.push_back(place != p);
         if (has_moved.back() != 0) moved_ = true;
       }
       corners[t][k] = v;

@@ -41,12 +41,17 @@ struct RoundedSurface {
   const Vec3& position(std::uint32_t vertex) const { return geometry.position(point[vertex]); }
   /// How many vertices of edges on common lines were moved apart?
   std::size_t moved_apart() const { return moved_apart_; }
+  /// Is it a vertex of such an edge, at a place that was found for it?
+  bool is_apart(std::uint32_t vertex) const {
+    return vertex < is_apart_.size() && is_apart_[vertex];
+  }
   /// Has rounding moved any vertex?
   bool anything_moved() const { return moved_; }
 
  private:
   bool moved_ = false;
   std::size_t moved_apart_ = 0;
+  std::vector<bool> is_apart_;  // per vertex
 };
 
 }  // namespace sectile

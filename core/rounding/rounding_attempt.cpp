@@ -53,7 +53,10 @@ bool RoundingAttempt::run() {
     // Each change leaves fewer vertices, or as many and less that is wrong.
     for (auto faulty = faulty_triangles(rounded_, kernel_, steps_.part(0.5)); !faulty.empty();
          faulty = faulty_triangles(rounded_, kernel_, steps_.part(0.5))) {
-      has_lines_that_meet_ = rounded_.moved_apart() > 0;
+      has_lines_that_meet_ = std::ranges::any_of(faulty, [&](std::uint32_t t) {
+        return std::ranges::any_of(rounded_.corners[t],
+                                   [&](std::uint32_t v) { return rounded_.is_apart(v); });
+      });
       if (has_lines_that_meet_) return false;
       stuck_ = repair().run(std::move(faulty));
       if (!stuck_.empty()) return false;

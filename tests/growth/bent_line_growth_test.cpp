@@ -17,7 +17,8 @@ namespace {
 
 constexpr double square_with_log = 1 + n_log_n;
 
-Solid walls(std::size_t n) {
+// The same above themselves, as often as there are `storeys`.
+Solid walls(std::size_t n, std::size_t storeys = 1) {
   PolygonMesh mesh;
   const std::size_t places = 2 * n;
   for (std::size_t i = 0; i < n; ++i) {
@@ -39,6 +40,15 @@ Solid walls(std::size_t n) {
       mesh.indices.push_back(first + k);
     mesh.face_sizes.insert(mesh.face_sizes.end(), 4, 3);
   }
+  const PolygonMesh storey = mesh;
+  for (std::size_t i = 1; i < storeys; ++i) {
+    for (const Vec3& p : storey.positions)
+      mesh.positions.push_back({p.x, p.y, p.z + static_cast<double>(i * places)});
+    for (const std::uint32_t k : storey.indices)
+      mesh.indices.push_back(static_cast<std::uint32_t>(i * storey.positions.size()) + k);
+    mesh.face_sizes.insert(mesh.face_sizes.end(), storey.face_sizes.begin(),
+                           storey.face_sizes.end());
+  }
   return transformed(Solid::from_mesh(mesh), Transform::rotation_degrees({1, 2, 3}, 40));
 }
 
@@ -59,6 +69,16 @@ TEST(BentLineGrowth, SeparationOfWalls) {
   how.separate_touching = true;
   EXPECT_LT(
       growth([&](std::size_t n) { return [=, book = walls(n)] { rounded_mesh(book, how); }; }, 100),
+      1.7);
+}
+
+// Each goes off the line within its own material.
+TEST(BentLineGrowth, SeparationOfWallsAboveOthersInTheirDirections) {
+  Rounding how;
+  how.separate_touching = true;
+  EXPECT_LT(
+      growth([&](std::size_t n) { return [=, book = walls(n, 2)] { rounded_mesh(book, how); }; },
+             100),
       1.7);
 }
 
