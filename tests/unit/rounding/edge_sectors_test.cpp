@@ -12,18 +12,14 @@
 #include <vector>
 
 #include "cases.h"
+#include "unit/rounding/half_planes.h"
 
 namespace sectile {
 namespace {
 
-// Of a half-plane around the z axis.
-struct Direction {
-  int x, y;
-};
+using test::cross;
+using test::Direction;
 
-int cross(const Direction& a, const Direction& b) {
-  return a.x * b.y - a.y * b.x;
-}
 bool is_upper(const Direction& d) {
   return d.y > 0 || (d.y == 0 && d.x > 0);
 }

@@ -10,18 +10,14 @@
 #include <vector>
 
 #include "cases.h"
+#include "unit/rounding/half_planes.h"
 
 namespace sectile {
 namespace {
 
-// Of a half-plane around the z axis.
-struct Direction {
-  int x, y;
-};
+using test::cross;
+using test::Direction;
 
-int cross(const Direction& a, const Direction& b) {
-  return a.x * b.y - a.y * b.x;
-}
 // Wedges are less than half a turn, from right to left.
 struct Wedge {
   Direction right, left;
