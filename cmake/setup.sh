@@ -10,7 +10,7 @@ packages=(g++ cmake ninja-build libtbb-dev libcli11-dev nlohmann-json3-dev libbo
           xdotool)
 case "${1:-build}" in
   build) ;;
-  check) packages+=(clang lld libclang-rt-dev clang-format-14 git dpkg-dev file ccache pngquant) ;;
+  check) packages+=(clang lld libclang-rt-dev clang-format-14 git dpkg-dev file pngquant) ;;
   *) echo "usage: setup.sh [build | check]" >&2; exit 2 ;;
 esac
 
