@@ -27,15 +27,24 @@ class RayCount {
   /// The vertices and edges on which the point lies; several where the loops touch themselves.
   const std::vector<Entity>& touched() const { return touched_; }
 
-  /// All edges of an outline, whose numbers stand for these half-edges.
+  /// All edges of an outline, whose numbers stand for these half-edges; nothing else is counted.
   void add(const OutlineTree& outline, std::span<const HalfEdgeId> half_edges) {
     const Vec3& at = point_->position();
     const double i = component(at, ray_.i()), j = component(at, ray_.j());
+    const OutlineTree::Place place{{i, j}, {i, j}};
     const auto start = [&](std::uint32_t corner) {
       return patch_->brep.point_of(patch_->brep.from(half_edges[corner]));
     };
+    if (outline.is_nested()) {
+      const auto first = outline.first_on_ray(
+          place, [&](std::uint32_t edge) { return crosses(half_edges[edge]); });
+      if (first == StripTree::no_edge) return;
+      if (first) return ray_.cross_first(start(*first));
+      ray_.restart();
+      touched_.clear();
+    }
     outline.cast_ray(
-        {{i, j}, {i, j}}, [&](std::uint32_t edge) { add(half_edges[edge]); },
+        place, [&](std::uint32_t edge) { add(half_edges[edge]); },
         [&](std::uint32_t from, std::uint32_t to) { ray_.pass(start(from), start(to)); });
   }
 
@@ -61,6 +70,12 @@ class RayCount {
   }
 
  private:
+  bool crosses(HalfEdgeId h) {
+    const bool before = odd();
+    add(h);
+    return odd() != before;
+  }
+
   void touch(Entity entity) {
     if (std::find(touched_.begin(), touched_.end(), entity) == touched_.end())
       touched_.push_back(entity);

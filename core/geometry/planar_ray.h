@@ -35,6 +35,16 @@ class PlanarRay {
     if (u_below != v_below) odd_ = !odd_;
   }
 
+  /// Nothing was counted.
+  void restart() { odd_ = false; }
+
+  /// Where the ray leaves, or comes into, what is on the left of an edge from u to v that it
+  /// crosses before any other edge of the face: then that is all that counts.
+  void cross_first(PointId u) {
+    const bool up = point_->compare(u, j_) == Sign::negative;
+    odd_ = up != is_mirrored();
+  }
+
   /// An edge from u to v, with the face on its left; across() gives a plane through it that is not
   /// parallel to the face's.
   template <class Across>
@@ -59,12 +69,13 @@ class PlanarRay {
     }
     const Sign turn = turn_along(u, v, up, across);
     if (turn == Sign::zero) return Touch::within;
-    const bool mirrored = kernel_->normal(plane_, k_) == Sign::negative;
-    if (((turn == Sign::positive) != mirrored) == up) odd_ = !odd_;
+    if (((turn == Sign::positive) != is_mirrored()) == up) odd_ = !odd_;
     return Touch::nothing;
   }
 
  private:
+  bool is_mirrored() const { return kernel_->normal(plane_, k_) == Sign::negative; }
+
   // Is the point to the left of an edge that goes up or down past it?
   template <class Across>
   Sign turn_along(PointId u, PointId v, bool up, const Across& across) const {

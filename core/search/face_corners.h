@@ -30,4 +30,19 @@ auto with_outer_corners(const Brep& brep, const Geometry& geometry, FaceId face,
                                     : std::span<const Vec3>(many));
 }
 
+/// Calls add(PointId) for the corners of a face, loop after loop; returns where the loops end.
+template <class Add>
+std::vector<std::uint32_t> collect_corners(const Brep& brep, FaceId face, const Add& add) {
+  std::vector<std::uint32_t> loop_ends;
+  std::uint32_t count = 0;
+  for (LoopId l = brep.outer_loop[face]; l.valid(); l = brep.next_loop[l]) {
+    for_each_in_loop(brep, l, [&](HalfEdgeId h) {
+      add(brep.point_of(brep.from(h)));
+      ++count;
+    });
+    loop_ends.push_back(count);
+  }
+  return loop_ends;
+}
+
 }  // namespace sectile

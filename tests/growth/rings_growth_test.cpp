@@ -91,15 +91,37 @@ TEST(Growth, BooleansOfRingsThatStandOnRings) {
 }
 
 // Rounded, so that rings cross the floor here and there, which becomes hooks around hooks.
+Solid rounded(const Solid& solid) {
+  return Solid::from_mesh(slanted(solid).to_mesh());
+}
+
 TEST(Growth, BooleansOfRingsOnAFloorWithWhichTheyAreHardlyNotFlush) {
-  const auto rounded = [](const Solid& solid) {
-    return Solid::from_mesh(slanted(solid).to_mesh());
-  };
   const auto on_floor = [&](std::size_t n) {
     return
         [a = rounded(plate(n)), b = rounded(rings(n, 0, 0.5))] { boolean(a, b, Operation::unite); };
   };
   EXPECT_LT(growth(on_floor, 100), n_log_n);
+}
+
+// Hooks that nearly meet are themselves more than n.
+constexpr double as_nearly_flush = 1.5;
+
+TEST(Growth, BooleansThatFillHooksAroundHooks) {
+  const auto filled = [](std::size_t n) {
+    const Solid all = rounded(rings(n, -0.5, 0)),
+                hooks = boolean(rounded(plate(n)), all, Operation::subtract);
+    return [=] { boolean(hooks, all, Operation::unite); };
+  };
+  EXPECT_LT(growth(filled, 100), as_nearly_flush);
+}
+
+TEST(Growth, RepairOfRingsAndAFloorWithWhichTheyAreHardlyNotFlush) {
+  const auto both = [](std::size_t n) {
+    PolygonMesh mesh = slanted(rings(n, 0, 0.5)).to_mesh();
+    test::append(slanted(plate(n)).to_mesh(), mesh);
+    return [=] { repair(mesh); };
+  };
+  EXPECT_LT(growth(both, 100), as_nearly_flush);
 }
 
 TEST(Growth, UnionOfRingsWithAPlate) {

@@ -7,25 +7,6 @@
 #include "search/face_corners.h"
 
 namespace sectile {
-namespace {
-
-// Loop after loop.
-template <class Add>
-std::vector<std::uint32_t> collect_corners(const Brep& brep, FaceId face, const Add& add) {
-  std::vector<std::uint32_t> loop_ends;
-  std::uint32_t count = 0;
-  for (LoopId l = brep.outer_loop[face]; l.valid(); l = brep.next_loop[l]) {
-    for_each_in_loop(brep, l, [&](HalfEdgeId h) {
-      add(brep.point_of(brep.from(h)));
-      ++count;
-    });
-    loop_ends.push_back(count);
-  }
-  return loop_ends;
-}
-
-}  // namespace
-
 NestedFaces::NestedFaces(const Workspace& w, const SolidData& a, const SolidData& b,
                          const SlotsOfBoth& slots)
     : w_(w), data_{{&a, &b}} {

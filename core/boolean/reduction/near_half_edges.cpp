@@ -5,6 +5,7 @@
 
 #include "boolean/crowded_corners.h"
 #include "search/face_corners.h"
+#include "search/face_pieces.h"
 
 namespace sectile {
 namespace {
@@ -16,6 +17,39 @@ OutlineTree::Target as_target(const Workspace& w, Operand solid, FaceId face) {
   return with_outer_corners(patch.brep, w.geometry, face, [](std::span<const Vec3> corners) {
     return OutlineTree::Target(corners);
   });
+}
+
+// What covers a face: triangles, if it leaves much of its box empty.
+FacePieces pieces_of(const Workspace& w, Operand solid, FaceId face) {
+  const Patch& patch = w.patch[solid];
+  std::vector<PointId> points;
+  const std::vector<std::uint32_t> loop_ends =
+      collect_corners(patch.brep, face, [&](PointId p) { points.push_back(p); });
+  std::vector<Vec3> places;
+  places.reserve(points.size());
+  for (const PointId p : points) places.push_back(w.geometry.position(p));
+  FacePieces pieces;
+  if (is_hollow(places, loop_ends))
+    pieces.add_triangles(face.value(), w.tests(), patch.plane(face), points, loop_ends);
+  else
+    pieces.add(face.value(), std::span(places).first(loop_ends.front()));
+  return pieces;
+}
+
+// Calls visit(edge) for the edges of an outline that come near a face of the other solid.
+template <class Visit>
+void for_each_near(const Workspace& w, const OutlineTree& outline, Operand other_solid,
+                   FaceId across, const Visit& visit) {
+  if (!outline.is_nested() || w.patch[other_solid].unbounded)
+    return outline.query(as_target(w, other_solid, across), visit);
+  std::vector<std::uint32_t> near;
+  const FacePieces pieces = pieces_of(w, other_solid, across);
+  for (std::size_t i = 0; i < pieces.count(); ++i)
+    outline.query(OutlineTree::Target(pieces.corners(i)),
+                  [&](std::uint32_t e) { near.push_back(e); });
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  for (const std::uint32_t e : near) visit(e);
 }
 
 // Of a face with crowded corners. What the other face has in common with the edges around one of
@@ -115,7 +149,7 @@ bool near_half_edges(const Workspace& w, Operand solid, FaceId face, FaceId acro
     return false;
   }
   if (const Patch::Outline* outline = patch.outline(face)) {
-    outline->tree.query(as_target(w, other(solid), across), [&](std::uint32_t edge) {
+    for_each_near(w, outline->tree, other(solid), across, [&](std::uint32_t edge) {
       out.push_back({outline->half_edges[edge], {}, {}});
     });
     return false;

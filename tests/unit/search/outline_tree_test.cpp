@@ -48,6 +48,17 @@ bool crosses_ray(const Lattice& p, const Lattice& a, const Lattice& b) {
   return (turn(a, b, p) > 0) == (a.j < b.j);
 }
 
+// Of two edges that cross the line of the ray: is the first one crossed before the other?
+bool is_before(const Lattice& p, const Lattice& a, const Lattice& b, const Lattice& c,
+               const Lattice& d) {
+  // i = a.i + (b.i - a.i) · (p.j - a.j) / (b.j - a.j).
+  const std::int64_t below = std::abs(b.j - a.j), below_other = std::abs(d.j - c.j);
+  const std::int64_t above = a.i * below + (b.i - a.i) * (p.j - a.j) * (b.j > a.j ? 1 : -1),
+                     above_other =
+                         c.i * below_other + (d.i - c.i) * (p.j - c.j) * (d.j > c.j ? 1 : -1);
+  return above * below_other < above_other * below;
+}
+
 struct Scene {
   Loops loops;
   OutlineTree tree;
@@ -90,6 +101,14 @@ struct Scene {
     const double i = static_cast<double>(p.i) * scale, j = static_cast<double>(p.j) * scale;
     tree.cast_ray({{i, j}, {i, j}}, look, pass);
     return count;
+  }
+  // Of a nested outline: the edge that is crossed first, if the tree knows; and what it looked at.
+  std::optional<std::uint32_t> first(const Lattice& p, std::set<std::uint32_t>& looked) const {
+    const double i = static_cast<double>(p.i) * scale, j = static_cast<double>(p.j) * scale;
+    return tree.first_on_ray({{i, j}, {i, j}}, [&](std::uint32_t e) {
+      EXPECT_TRUE(looked.insert(e).second);
+      return crosses_ray(p, loops.corners[e], loops.corners[loops.next[e]]);
+    });
   }
   Count by_all(const Lattice& p) const {
     Count count;
@@ -188,6 +207,43 @@ TEST(OutlineTree, SaysWhatAllEdgesSay) {
   }
 }
 
+TEST(OutlineTree, FindsWhatARayCrossesFirst) {
+  Random random(6);
+  int nested = 0, decided = 0, clear = 0;
+  for (int n = 0; n < 3000; ++n) {
+    const double scales[] = {1, 0x1p-1070, 0x1p1000, 1.5};
+    const std::int64_t size = random.below(2) == 0 ? 6 : 60;
+    const Scene scene(random.loops(size), n % 3, scales[n % 4]);
+    if (!scene.tree.is_nested()) continue;
+    ++nested;
+    const Loops& loops = scene.loops;
+    for (int k = 0; k < 60; ++k) {
+      const Lattice p =
+          k % 3 == 0
+              ? loops.corners[static_cast<std::size_t>(
+                    random.below(static_cast<std::int64_t>(loops.corners.size())))]
+              : Lattice{random.below(5 * size) - 2 * size, random.below(4 * size) - size / 2};
+      std::set<std::uint32_t> looked;
+      const auto first = scene.first(p, looked);
+      for (std::uint32_t e = 0; e < loops.corners.size(); ++e) {
+        const Lattice &a = loops.corners[e], &b = loops.corners[loops.next[e]];
+        if (is_on(p, a, b)) {
+          ASSERT_TRUE(looked.contains(e)) << n << ' ' << k;
+        }
+        if (!first || *first == e || !crosses_ray(p, a, b)) continue;
+        ASSERT_NE(*first, StripTree::no_edge) << n << ' ' << k;
+        ASSERT_TRUE(is_before(p, loops.corners[*first], loops.corners[loops.next[*first]], a, b))
+            << n << ' ' << k;
+      }
+      decided += first ? 1 : 0;
+      clear += first == StripTree::no_edge ? 1 : 0;
+    }
+  }
+  EXPECT_GT(nested, 200);
+  EXPECT_GT(decided, 30 * nested);
+  EXPECT_GT(clear, nested);
+}
+
 TEST(OutlineTree, LooksAtFewEdgesOfAComb) {
   for (const bool upright : {false, true}) {
     const Scene scene(upright ? upright_comb(1000) : slanted_comb(1000), 2, 1);
@@ -214,6 +270,21 @@ TEST(OutlineTree, LooksAtFewEdgesOfRingsInRings) {
     looks += one.looks;
   }
   EXPECT_LT(looks, 200 * 4u);
+}
+
+TEST(OutlineTree, LooksAtFewRingsUntilTheFirstOne) {
+  const Scene scene(rings(500), 2, 1);
+  ASSERT_TRUE(scene.tree.is_nested());
+  Random random(7);
+  std::set<std::uint32_t> looked;
+  std::size_t looks = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Lattice p{random.below(10'000) - 5'000, random.below(10'000) - 5'000};
+    looked.clear();
+    EXPECT_TRUE(scene.first(p, looked));
+    looks += looked.size();
+  }
+  EXPECT_LT(looks, 200 * 20u);
 }
 
 // Boxes of many overlap that of a thin triangle, which lies between two of them.
