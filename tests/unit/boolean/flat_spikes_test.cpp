@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "append_mesh.h"
+#include "cases.h"
 #include "sectile/arrangement.h"
 #include "sectile/sectile.h"
 #include "unit/for_an_observer.h"
@@ -20,7 +21,7 @@ using test::count_pairs;
 using test::expect_laws_of_sets;
 using test::expect_the_same_for_an_observer;
 
-constexpr int many = 64;
+constexpr int many = cases(64);
 
 // Around an axis, all turned by so much of a step, and inclined against the plane around it.
 Solid flat_spikes(double turn, double incline, int count = many) {
