@@ -16,14 +16,4 @@ constexpr Count cases(Count count) {
 #endif
 }
 
-/// The same for cases that take seconds each there: an eighth.
-template <std::integral Count>
-constexpr Count long_cases(Count count) {
-#ifdef SECTILE_SANITIZE
-  return (count + 7) / 8;
-#else
-  return count;
-#endif
-}
-
 }  // namespace sectile

@@ -208,7 +208,7 @@ class RandomBooks {
 };
 
 TEST(BooksAtACrossing, OfWallsAnywhereAreWhatTheirCellsAre) {
-  for (unsigned seed = 0; seed < long_cases(20u); ++seed) {
+  for (unsigned seed = 0; seed < cases(20u); ++seed) {
     SCOPED_TRACE(seed);
     RandomBooks random(seed);
     Solid a = random.book(0);

@@ -372,7 +372,7 @@ TEST(FarLoops, RandomChainsAreTheSameWithAllLoopsLoaded) {
   all_loops.observer = &watch;
   std::mt19937 random(7);
   const auto any = [&](int below) { return static_cast<int>(random() % unsigned(below)); };
-  for (int chain = 0; chain < long_cases(8); ++chain) {
+  for (int chain = 0; chain < cases(8); ++chain) {
     Solid solid = drilled();
     for (int step = 0; step < 6; ++step) {
       const double x = any(33) / 4.0, y = any(33) / 4.0;
